@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from PySide6.QtCore import QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QWidget
@@ -75,6 +77,9 @@ class DrawnCanvas(CanvasQueries):
 
     def grid_spacing(self) -> float:
         return self._drawing.grid.spacing(self._plot.pixel_map)
+
+    def shows_curves(self, indices: Iterable[int]) -> bool:
+        return self._plot.framing.shows_curves(indices)
 
     def scroll_of_drag(self) -> Scroll:
         return self._plot.edge.scroll

@@ -64,7 +64,7 @@ the file of settings follow. The kinds are in ``app/view_model/settings.py``: `S
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import cached_property
 from typing import ClassVar
 
@@ -117,6 +117,10 @@ class CanvasQueries:
     def grid_spacing(self) -> float:
         """Return the spacing of the grid at the present zoom."""
         return 1.0
+
+    def shows_curves(self, indices: Iterable[int]) -> bool:
+        """Whether the curves at these indices are inside the visible part of the plane."""
+        return True
 
     def scroll_of_drag(self) -> Scroll:
         """Return the parts of the plane visible before the drag and now, where it has scrolled the view."""

@@ -450,14 +450,15 @@ class Stretch(NamedTuple):
         end comes before the start where the part leads over the end of a closed curve, or closes an open one.
     is_against
         Whether the stroke for it begins at its end.
-    title
-        The name of the change in the history.
+    title, done
+        The name of the change in the history, and the words of its message.
     """
 
     start: float | None
     end: float | None
     is_against: bool
     title: str = "Redraw part"
+    done: str = "Part redrawn"
 
     def positions(self, view: CurveView) -> FloatArray:
         """Return positions along the part, (m, 2); none where there is nothing of the curve yet."""
@@ -485,12 +486,14 @@ def stretch_along(
         return min(both, key=lambda part: _distance(part.positions(view)[:: 1 - 2 * part.is_against], stroke))
     if end is None:
         ends = {last: (last, None), first: (None, first)}
-        return Stretch(*ends[begin], begin == first, "Extend curve") if begin in ends else None
+        return (
+            Stretch(*ends[begin], begin == first, "Extend curve", "Curve extended") if begin in ends else None
+        )
     if end == begin:
         return None
     if {begin, end} == {first, last}:
         can_close = source.family.curve_class.can_close
-        return Stretch(last, first, begin == first, "Close curve") if can_close else None
+        return Stretch(last, first, begin == first, "Close curve", "Curve closed") if can_close else None
     return Stretch(min(begin, end), max(begin, end), begin > end)
 
 

@@ -239,6 +239,20 @@ def test_a_key_of_the_tool_mirrors_about_an_axis(two, key, axis):
     assert two.status == f"Mirrored a copy of Arch about the {key.lower()} axis."
 
 
+@pytest.mark.parametrize("by_action", [False, True])
+def test_an_image_outside_the_view_is_said(two, by_action):
+    two.window.canvas.camera.show_box((-1, 9), (-3, 5))
+    two.settle()
+    two.hover((1, 1))
+    two.trigger("mirrorYAxis") if by_action else two.key(Key.Key_Y)
+    assert positions(two.session.document.curves[1]) == [(-x, y) for x, y in POINTS]
+    assert two.status == (
+        "Mirrored a copy of Arch about the y axis. Part of it is outside the view; “Fit Selection” shows it."
+    )
+    two.trigger("fitSelection")
+    assert two.window.canvas.framing.shows_curves([1])
+
+
 def test_actions_mirror_about_an_axis_and_say_whether_a_copy(two):
     action = two.action("mirrorXAxis")
     assert action.text().replace("&", "") == "Mirror a Copy about the x Axis"

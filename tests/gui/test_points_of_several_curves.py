@@ -343,7 +343,7 @@ def test_curves_are_split_at_all_selected_points(letter):
     ]
     assert not any(curve.closed for curve in curves)
     assert [curve.shape for curve in curves] == [*5 * ["O"], ""]
-    assert letter.status.startswith("Split at 6 points: shape kept, largest change ")
+    assert letter.status.startswith("Split at 6 points into 6 curves: shape kept, largest change ")
     assert undo_text(letter) == "Split 1 shape and 1 curve"
     # All of it is still edited, and its ends can be dragged apart.
     assert letter.session.selected.active_curves == set(range(6))

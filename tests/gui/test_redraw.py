@@ -97,7 +97,7 @@ def test_a_stroke_from_the_curve_to_the_curve_replaces_that_part(wave, family, i
     assert undo_text(wave) == "Redraw part"
     assert wave.session.undo_stack.count() == steps + 1
     assert len(wave.session.document.curves) == 1
-    assert wave.status.startswith("Redraw part: ")
+    assert wave.status.startswith("Part redrawn: ")
     after = wave.session.active_view
     # The press is within a pixel of its parameter; up to there, and from there on, the curve is the same.
     t = np.linspace(0.0, 0.299, 60)
@@ -196,6 +196,7 @@ def test_a_stroke_from_an_end_extends_the_curve(wave, is_last):
     line = between(end, (end[0] + 2 * way, -3.0), bulge=0.3 * way)
     draw(wave, line)
     assert undo_text(wave) == "Extend curve"
+    assert wave.status.startswith("Curve extended: ")
     assert len(wave.session.document.curves) == 1
     after, t = wave.session.active_view, np.linspace(0.0, 1.0, 99)
     shift = 0.0 if is_last else after.curve.domain[1] - 1.0
@@ -218,6 +219,7 @@ def test_a_stroke_from_end_to_end_closes_the_curve(wave, is_against):
     line = between(POINTS[-1], POINTS[0], bulge=2.5)
     draw(wave, line[::-1] if is_against else line)
     assert undo_text(wave) == "Close curve"
+    assert wave.status.startswith("Curve closed: ")
     assert wave.curve.is_closed
     assert wave.session.active_view.curve.evaluate(t) == pytest.approx(before.curve.evaluate(t), abs=KEPT)
     assert farthest(wave, line) <= 2.2

@@ -91,7 +91,7 @@ def test_the_menu_of_whole_curves_splits_both_at_all_of_their_crossings(editor):
         assert (curve.style, curve.groups) == (RED if "Cubic" in curve.name else Style(), ("G",))
     inner = [ends(curve)[1] for curve in (*curves[:3], *curves[4:7])]
     assert np.array(inner) == pytest.approx(np.array([(-1, 0), (0, 0), (1, 0)] * 2), abs=1e-15)
-    assert editor.status.startswith("Split at the intersections: shape kept, largest change ")
+    assert editor.status.startswith("Split at the intersections into 8 curves: shape kept, largest change ")
     assert editor.session.selected.whole_curves == set(range(8))
     assert editor.session.undo_stack.undoText().startswith("Split ")
     editor.trigger("undo")

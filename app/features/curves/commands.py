@@ -253,7 +253,10 @@ class CurveCommands(CommandSet):
         residual = max(result.residual for result in parts_of.values())
         whole = Split(tuple(curve for result in parts_of.values() for curve in result.curves), residual)
         where = where or count_of(sum(map(len, cuts.values())), "point")
-        session.report(f"Split at {where}: {whole.sentence} {remark}".rstrip(), before, whole.cuts)
+        count = count_of(len(whole.curves), "curve")
+        session.report(
+            f"Split at {where} into {count}: {whole.sentence} {remark}".rstrip(), before, whole.cuts
+        )
 
     @action(
         "reverseCurve",

@@ -160,7 +160,8 @@ class SelectionCommands(CommandSet):
         ),
     )
     def _mirror(self, axis: Axis) -> None:
-        mirror_about_axis(self._session, self._target, _result(self._context.store.state), axis)
+        canvas, result = self._context.central.canvas.tools.canvas, _result(self._context.store.state)
+        mirror_about_axis(self._session, self._target, canvas, result, axis)
 
     @action_for_each(
         _TURNS,

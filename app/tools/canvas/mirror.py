@@ -16,9 +16,11 @@ from ..editing_session import EditingSession
 from ..marks import Marks
 from ..pointer import SNAP_KEY, STEP_KEYS, Hint, Pointer, minus
 from ..snapping import Snapper, stepped_from
-from ..tool import Drag, GestureRow, Tool, ToolEvent, ToolRecord
+from ..tool import CanvasQueries, Drag, GestureRow, Tool, ToolEvent, ToolRecord
 
 _AXES = {"x": Axis.X, "y": Axis.Y}
+
+_OUTSIDE = " Part of it is outside the view; “Fit Selection” shows it."
 
 
 class MirrorResult(NamedEnum):
@@ -63,7 +65,9 @@ def _subject(
     return copied, whole_curves(copied, copies), label, selects
 
 
-def mirror_about_axis(session: EditingSession, box: SelectionBox, result: MirrorResult, axis: Axis) -> None:
+def mirror_about_axis(
+    session: EditingSession, box: SelectionBox, canvas: CanvasQueries, result: MirrorResult, axis: Axis
+) -> None:
     """Mirror the selection about the x axis or the y axis of the plane.
 
     Raises
@@ -80,7 +84,8 @@ def mirror_about_axis(session: EditingSession, box: SelectionBox, result: Mirror
         return
     if selects is not None:
         session.selected.restore(selects)
-    session.say(f"{group.remark or f'Mirrored {label} about the {axis} axis'}.")
+    outside = "" if canvas.shows_curves(group.curves) else _OUTSIDE
+    session.say(f"{group.remark or f'Mirrored {label} about the {axis} axis'}.{outside}")
 
 
 class MirrorLine(Drag, kw_only=True):
@@ -159,7 +164,7 @@ class MirrorTool(Tool):
         """Mirror about the x axis or the y axis."""
         if key not in _AXES:
             return super().key(event, key)
-        mirror_about_axis(event.session, event.box, event.value(MIRROR_RESULT), _AXES[key])
+        mirror_about_axis(event.session, event.box, event.canvas, event.value(MIRROR_RESULT), _AXES[key])
         return True
 
     def hover(self, event: ToolEvent) -> Hint:

@@ -162,7 +162,7 @@ class PencilLine(Gesture, kw_only=True):
             edit = partial(replace_curve, curve=active, new=curve)
             if session.change(stretch.title, edit, scroll=scroll):
                 session.selected.set_points([])
-                done = f"{stretch.title}: {_message(result, view.source, self.press, tolerance)}"
+                done = f"{stretch.done}: {_message(result, view.source, self.press, tolerance)}"
                 session.report(done, before, [(x, y) for x, y in result.core.points.tolist()])
 
         event.background.do(BackgroundTask(stretch.title, work, take, self.line))
