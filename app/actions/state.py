@@ -6,7 +6,6 @@ Actions are rendered when these facts have changed. So no fact is a position or 
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence, Set
-from itertools import chain
 from operator import attrgetter
 from typing import Any, Generic, TypeVar, cast
 
@@ -26,7 +25,7 @@ from ..session import Session
 from ..state.window_state import WindowState, WindowStore
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.join import link_of
-from ..view_model.point_kinds import kinds_of
+from ..view_model.point_kinds import POINT_KINDS, inner_points, kinds_of
 
 _VISIBLE, _LOCKED = attrgetter("visible"), attrgetter("locked")
 
@@ -226,9 +225,12 @@ def _has_curve_beside(document: Document, selected: frozenset[int], shape: range
 
 
 def _kinds(views: Sequence[CurveView], group: PointGroup) -> frozenset[int]:
-    """Return the kinds that points are of, as indices in `POINT_KINDS`."""
-    kinds = (kinds_of(views[curve])[sorted(indices)].tolist() for curve, indices in group.parts)
-    return frozenset(chain.from_iterable(kinds))
+    """Return the kinds that points are of, as indices in `POINT_KINDS`; ends of open curves have few."""
+    kinds = set[int]()
+    for curve, indices in group.parts:
+        found, inner = kinds_of(views[curve]).tolist(), inner_points(views[curve].source, indices)
+        kinds |= {found[index] for index in indices if index in inner or not POINT_KINDS[found[index]].ends}
+    return frozenset(kinds)
 
 
 DERIVATIVES = "application/x-curvebench-derivatives"

@@ -21,6 +21,9 @@ _SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 _MOST_DIGITS = 15
 """Digits that every float can show exactly."""
 
+_DWARFED = 1e-6
+"""Share of a step below which a number is a rounding error."""
+
 _THIN = "\N{NARROW NO-BREAK SPACE}"
 
 
@@ -49,16 +52,18 @@ class NamedEnum(StrEnum):
 def number(value: float, digits: int = 4, mark: str = ".", step: float = 0.0) -> str:
     """Return the text of a number: `digits` significant digits, a true minus, a short exponent.
 
-    There are more digits where numbers a `step` apart would look alike.
+    There are more digits where numbers a `step` apart would look alike, and 0 is what a step dwarfs.
 
-    >>> number(1000000.25), number(1000000.25, step=0.01)
-    ('1e6', '1000000.25')
+    >>> number(1000000.25), number(1000000.25, step=0.01), number(1e-15, step=0.01)
+    ('1e6', '1000000.25', '0')
     """
     if not math.isfinite(value):
         return NOTHING
     if abs(value) > step > 0.0:
         whole_digits = math.floor(math.log10(abs(value))) + 1
         digits = min(max(digits, whole_digits + math.ceil(-math.log10(step))), _MOST_DIGITS)
+    elif abs(value) < _DWARFED * step:
+        value = 0.0
     return typographic(f"{value:.{digits}g}", mark)
 
 

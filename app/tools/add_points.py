@@ -388,7 +388,8 @@ class JoinEnd(PressOnEnd, kw_only=True):
             self.pen.finish(session, len(session.active_view.source.points))
             session.selected.set_points([])
             where = f"“{drawn.curves[self.end.curve].name}” at its {self.end.side}"
-            session.say(f"Joined with {where}: {results[0].outcome}.")
+            kept = "it keeps its shape" if results[0].keeps_shape else results[0].outcome
+            session.say(f"Joined with {where}: {kept}.")
 
     def undo_text(self, pointer: Pointer) -> str:
         """Return "Join Curve 2 and Curve 1"."""

@@ -181,7 +181,7 @@ class MovePoints(Drag, kw_only=True):
 
     def amount(self, pointer: Pointer) -> str:
         """Return "Point 2: (1.7, 1.1) · moved (−0.3, 0.1)"; of several points their offset."""
-        offset, one = words.pair_text(self.offset(pointer)), self.group.only_point
+        offset, one = words.pair_text(self.offset(pointer), pointer.pixel_size), self.group.only_point
         if one is None:
             return f"Move {self.group.label} by {offset}"
         return f"{words.point_at(one[1], self.position_at(pointer), pointer.pixel_size)} · moved {offset}"

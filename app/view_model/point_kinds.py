@@ -107,16 +107,16 @@ def with_symmetric_points(view: CurveView, indices: Collection[int]) -> Curve:
     On segments of one length in t a point has one velocity, the mean of the two, and one of each further
     derivative. Between segments of different lengths that would be handles of different lengths: there the
     handles are the mean of the two, and so are the derivatives per unit of a segment, which keeps the
-    curvature continuous. Where handles cancel each other, they turn to one direction first.
+    curvature continuous. Where handles cancel each other, they turn to one direction first. Ends of an open
+    curve are left out.
 
     Raises
     ------
     EditError
-        If there is no curve.
+        If there is no curve, or no point is left.
     """
     points, changed = list(view.source.points), []
-    for index in indices:
-        _refuse_without_tangent(view, index)
+    for index in _inner(view, indices, "it has one handle", ONE_SIDED):
         point, lengths = points[index], _lengths_beside(view, index)
         if point.corner or not math.isclose(*lengths):
             points[index] = _symmetric(view, index, lengths)
@@ -136,8 +136,6 @@ def _symmetric(view: CurveView, index: int, lengths: tuple[float, float]) -> Poi
     """Return a point with handles that mirror each other between segments of these lengths in t."""
     assert view.sides is not None
     before, after = (jets[index, 1:].copy() for jets in view.sides)
-    if not inner_points(view.source, [index]):
-        before = after = before if index else after
     scales = [h ** np.arange(1, len(before) + 1)[:, None] for h in lengths]
     if not (scales[0] * before + scales[1] * after)[0].any():
         velocities = (_velocity(view, index, ahead=ahead) for ahead in (False, True))
@@ -456,6 +454,7 @@ SYMMETRIC = PointKind(
     are_of=lambda points: np.isfinite(points.given).any(axis=(1, 2, 3)).astype(bool),
     outline=_SQUARE,
     is_open=True,
+    ends=ONE_SIDED,
 )
 ESTIMATED = PointKind(
     name="point-estimated",
@@ -477,16 +476,22 @@ POINT_KINDS = (CORNER, SMOOTH, SYMMETRIC, ESTIMATED)
 def kinds_of(view: CurveView) -> IntArray:
     """Return for each point the index of its kind in `POINT_KINDS`, (n,).
 
-    Ends of an open curve have one side and are no corners. All points of families without velocities are of
-    the last kind.
+    A point with one velocity between segments of different lengths is smooth, as its handles are of different
+    lengths, and so is an end of an open curve with a velocity. All points of families without velocities are
+    of the last kind.
     """
     kinds, last = np.full(len(view.points), len(POINT_KINDS) - 1, dtype=np.intp), len(view.points) - 1
     if view.source.family.derivatives and view.source.has_derivatives:
         holds = [kind.are_of(view.arrays) for kind in POINT_KINDS]
-        kinds = np.argmax(holds, axis=0)
+        kinds, symmetric = np.argmax(holds, axis=0), POINT_KINDS.index(SYMMETRIC)
+        if view.is_current:
+            h, is_closed = np.diff(view.parameters), view.source.is_closed
+            before, after = (np.roll(h, 1), h) if is_closed else (np.append(0.0, h), np.append(h, 0.0))
+            is_even = view.arrays.evens | np.isclose(before, after, rtol=_SAME, atol=0.0)
+            kinds[(kinds == symmetric) & ~is_even] = POINT_KINDS.index(SMOOTH)
         for end in () if view.source.is_closed else (0, last):
             if POINT_KINDS[kinds[end]].ends:
-                kinds[end] = POINT_KINDS.index(SYMMETRIC if SYMMETRIC.are_of(view.arrays)[end] else ESTIMATED)
+                kinds[end] = POINT_KINDS.index(SMOOTH if holds[symmetric][end] else ESTIMATED)
     return kinds
 
 

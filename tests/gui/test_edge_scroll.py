@@ -227,6 +227,24 @@ def test_escape_undo_and_redo_of_a_drag_that_scrolled_bring_the_view_back(arch):
     assert camera.ranges == seen
 
 
+def test_a_level_drag_that_scrolls_says_no_rounding_error(arch):
+    """It said "moved 4.217, 1.776e−15"."""
+    canvas = arch.window.canvas
+    canvas.camera.show_box((-3.1, 6.7), (-4.3, 3.9))
+    level = canvas.to_pixel(*POINTS[1]).y()
+    arch.press(POINTS[1])
+    for beyond in (-200, -100, 5):
+        pixel = QPoint(edge(arch, "right", beyond).x(), level)
+        arch.send(canvas, QEvent.Type.MouseMove, pixel)
+    for _ in range(40):
+        canvas.findChild(EdgeScroll)._scroll()
+        arch.settle()
+        assert "e−" not in arch.status
+    assert arch.status.split("moved ")[1].split(" · ")[0].endswith(", 0")
+    arch.escape()
+    arch.release(POINTS[1])
+
+
 def test_undo_and_redo_of_a_drag_that_scrolled_leave_a_view_that_was_zoomed_since(arch):
     """Undo jumped from 461 pixels per unit to the 320 before the drag."""
     camera = arch.window.canvas.camera

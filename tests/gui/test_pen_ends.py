@@ -249,7 +249,7 @@ def test_a_click_on_an_end_joins_what_is_drawn_with_that_curve(beside, end, coun
     assert undo_text(pen) == "Join Curve 1 and There"
     assert pen.session.undo_stack.count() == steps + 1
     side = "end" if end else "start"
-    assert pen.status.startswith(f"Joined with “There” at its {side}: shapes kept, largest change ")
+    assert pen.status.startswith(f"Joined with “There” at its {side}: it keeps its shape.")
     # It is finished: the next press begins another curve, an end goes on.
     pen.hover(at(pen, 100, 240))
     assert hint(pen).startswith("Click to begin another curve")

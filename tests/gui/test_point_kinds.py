@@ -117,17 +117,42 @@ def test_families_without_handles_have_no_kinds(bow):
 def test_ends_of_an_open_curve_have_one_handle(bow):
     bow.select([0])
     document = bow.session.document
-    bow.key(Key.Key_S, SHIFT)
-    assert bow.session.document is document
-    assert bow.status == "Point 0 is an end of the curve; it has one handle."
+    for key in (Key.Key_S, Key.Key_Y):
+        bow.session.say("")
+        bow.key(key, SHIFT)
+        assert bow.session.document is document
+        assert bow.status == "Point 0 is an end of the curve; it has one handle."
     bow.select([0, 1])
     bow.key(Key.Key_S, SHIFT)
     assert bow.status.startswith("Smooth at point 1; the ends of an open curve have one side only.")
     assert [point.tied for point in bow.curve.points] == [False, True, False, False, False]
+    # One that is set is of no kind.
+    bow.select_point(0)
+    x, y = bow.handle().position
+    bow.drag_handle((x + 0.2, y + 0.3))
+    assert bow.curve.points[0].velocity
+    assert not any(bow.action(kind.action).isChecked() for kind in POINT_KINDS)
     bow.trigger("closeCurve")
     bow.select([0])
     bow.key(Key.Key_S, SHIFT)
     assert bow.curve.points[0].tied
+
+
+def test_a_point_with_handles_of_two_lengths_is_smooth_and_not_symmetric(bow):
+    """The button *Symmetric* was pressed at handles of 103.8 and 59.4 pixels, and changed them at a press."""
+    bow.select_point(2)
+    x, y = bow.handle().position
+    bow.drag_handle((x + 0.3, y + 0.1))
+    assert not bow.curve.points[2].corner
+    assert kind_at(bow.session.active_view, 2) is SMOOTH
+    assert not bow.action("tangentSymmetric").isChecked()
+    before = bow.session.active_view.samples
+    bow.key(Key.Key_S, SHIFT)
+    assert bow.session.active_view.samples == pytest.approx(before, abs=1e-12)
+    bow.key(Key.Key_Y, SHIFT)
+    assert bow.action("tangentSymmetric").isChecked()
+    behind, ahead = positions(bow)
+    assert np.add(behind, ahead) / 2 == pytest.approx(BOW[2])
 
 
 # What becomes of the shape
