@@ -38,8 +38,8 @@ def fill_colour(code: str, theme: Theme) -> QColor:
 
 
 def line_colour(code: str, theme: Theme) -> QColor:
-    """Return a distinguishing colour of marks and lines: Okabe–Ito, darker on light paper."""
-    published = OKABE_ITO["dark"]
+    """Return a distinguishing colour of marks and lines: Okabe–Ito, adjusted to the paper."""
+    published = OKABE_ITO["published"]
     return QColor(OKABE_ITO[theme.name][published.index(code)]) if code in published else QColor(code)
 
 
@@ -48,7 +48,7 @@ def point_colours(n: int, theme: Theme) -> tuple[QColor, ...]:
     """
     Return one colour for each of ``n`` points, all legible on the theme's paper.
 
-    Up to eight points have the Okabe–Ito colours, darker on light paper; the eighth is the ink.
+    Up to eight points have the Okabe–Ito colours, adjusted to the paper; the eighth is the ink.
     More points run through an even ramp of hues whose lightness alternates, so that neighbours
     can be told apart however many there are.
 

@@ -10,7 +10,7 @@ from PySide6.QtGui import QColor, QPainter, QPen
 
 from curvecore.arrays import FloatArray
 
-from ..appearance.colours import curve_colour
+from ..appearance.colours import line_colour
 from ..appearance.theme import mix
 from ..plotting.drawing import draw_segments, is_near
 from ..plotting.layers import Layer
@@ -63,7 +63,7 @@ class MotionLayer(Layer):
             self._paint_dot(painter, pixel_map, dot)
 
     def _colour(self, role: Role) -> QColor:
-        return curve_colour(role.colour, self.theme) if role.colour else QColor(self.theme.accent)
+        return line_colour(role.colour, self.theme) if role.colour else QColor(self.theme.accent)
 
     def _paint_line(self, painter: QPainter, pixel_map: PixelMap, role: Role, line: FloatArray) -> None:
         painter.setPen(QPen(mix(self._colour(role), self.theme.paper, 0.6), self.scale))
@@ -86,7 +86,7 @@ class MotionLayer(Layer):
         if not is_near(x, y):
             return
         for arrow in dot.arrows:
-            colour = curve_colour(colour_of(dot, arrow), self.theme)
+            colour = line_colour(colour_of(dot, arrow), self.theme)
             label = f"{dot.role.title} {arrow.text}".strip()
             self._paint_arrow(painter, pixel_map, (x, y), pixel_map.point(*arrow.tip), colour, label)
         if dot.role is not ACTIVE:

@@ -22,11 +22,14 @@ OKABE_ITO: Final = {
     # On light paper five of the seven are too pale. Lightness alone is moved, by hand and search,
     # so that colours stay apart for red-, green- and blue-blind eyes too (tests/gui/test_theme.py).
     "light": ("#006097", "#c35500", "#00835f", "#b2618e", "#c08404", "#3798cb", "#554f00"),
-    "dark": ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#f0e442"),
+    # Words are written in these colours too: on dark paper the published blue is too dark for them, and
+    # beside a lighter one green has to be darker.
+    "dark": ("#1491dd", "#d55e00", "#13936c", "#cc79a7", "#e69f00", "#56b4e9", "#f0e442"),
+    "published": ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#f0e442"),
 }
 """Blue, vermillion, bluish green, reddish purple, orange, sky blue, yellow; ink stands for black.
 
-Okabe & Ito, "Color Universal Design" (2008); the dark theme has them as published.
+Okabe & Ito, "Color Universal Design" (2008).
 """
 
 # OKLab to cone responses (cube roots), and those to linear RGB:

@@ -26,7 +26,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.appearance.colours import point_colours
+from app.appearance.colours import line_colour, point_colours
 from app.appearance.icons import app_icon, icon
 from app.appearance.theme import (
     DARK,
@@ -135,6 +135,13 @@ def test_every_point_has_contrast_to_the_paper(theme, n):
     assert len(colours) == n
     assert all(colour.alpha() == 255 for colour in colours)
     assert min(contrast(colour, theme.paper) for colour in colours) >= 3.0
+
+
+def test_words_in_colours_of_points_are_readable_on_dark_paper():
+    """The number of point 0 and |v| of the motion were dark blue on black: 3.4."""
+    assert min(contrast(colour, DARK.paper) for colour in point_colours(8, DARK)) >= 4.5
+    for code, drawn in zip(OKABE_ITO, point_colours(7, DARK), strict=True):
+        assert line_colour(code, DARK) == drawn
 
 
 @pytest.mark.parametrize("theme", THEMES)
