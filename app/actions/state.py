@@ -186,7 +186,7 @@ class ActionFacts:
             has_any_explicit=any(document.curves[curve].has_derivatives for curve in selected.curves),
             has_newly_set=bool(session.newly_set.parts),
             has_two_ends=link_of(session.views, group) is not None,
-            can_undo=stack.canUndo() or session.is_previewing or window.in_flight,
+            can_undo=stack.canUndo() or session.is_previewing or window.in_flight or window.undoes_discard,
             can_redo=stack.canRedo(),
             can_go_back=session.files.origin.before is not None,
             has_scrub_line=session.scrub.t is not None,

@@ -87,6 +87,8 @@ class WindowState(msgspec.Struct, frozen=True):
         Whether there is a file of families just written or used, and whether one is running.
     in_flight
         Whether Undo cancels a gesture, or the computation that follows it, before there is a step.
+    undoes_discard
+        Whether Undo offers the unsaved work again that was just discarded.
     image_problem
         Reason why the reference image is not shown; empty where it is, or without an image.
     """
@@ -122,6 +124,7 @@ class WindowState(msgspec.Struct, frozen=True):
     offers_family: bool = False
     runs_family_file: bool = False
     in_flight: bool = False
+    undoes_discard: bool = False
     image_problem: str = ""
 
     @property

@@ -16,7 +16,10 @@ from ..widgets.boxes import column_of, remove_widgets, row_of
 from ..widgets.controls import action_button, tool_button
 from ..widgets.frames import OverlayFrame
 
-_TOP, _SIDE, _NARROWEST, _WIDEST = 10, 56, 120, 720
+_TOP, _SIDE, _NARROWEST = 10, 56, 120
+_WIDEST = 48
+"""Largest width in heights of a line."""
+
 _OFFERS = ("offeredAction", "secondOffer")
 _AROUND_SENTENCE = 90
 """Pixels for the icon, the close button and the gaps."""
@@ -52,6 +55,11 @@ class SentenceBar(OverlayFrame):
         self.close_button = tool_button(close_name, words, words, flat=True)
         self.close_button.clicked.connect(self._put_away)
         keep_pointer(self.close_button)
+        self._buttons: list[QToolButton] = []
+        self._row = row_of(1, spacing=GAP)
+        self._middle = column_of((self.sentence, 1), self._row, spacing=4)
+        parts = (self.sign, (self._middle, 1), self.close_button)
+        row_of(*parts, margins=(12, 6, 8, 6), spacing=GAP, parent=self)
         self.hide()
 
     @property
@@ -78,14 +86,20 @@ class SentenceBar(OverlayFrame):
         """Width of the sentence on one line, with icon and gaps."""
         return self.sentence.fontMetrics().horizontalAdvance(self.sentence.text()) + _AROUND_SENTENCE
 
-    def wanted_width(self, sentence: int, room: int) -> int:
-        """Return the preferred width of the bar, at most `room`, for a sentence of this width."""
-        return sentence
+    def place_buttons(self, room: int) -> int:
+        """Put the buttons beside the sentence where they fit, else below; return the preferred width."""
+        sentence = self.sentence_width
+        buttons = sum(button.sizeHint().width() + GAP for button in self._buttons if not button.isHidden())
+        is_one_row = sentence + buttons <= room
+        across, down = QBoxLayout.Direction.LeftToRight, QBoxLayout.Direction.TopToBottom
+        self._middle.setDirection(across if is_one_row else down)
+        return sentence + buttons if is_one_row else max(sentence, buttons + 60)
 
     def place(self) -> None:
         """Move to the top centre, as wide as the sentence needs."""
-        room = min(self.below.width() - 2 * _SIDE, _WIDEST)
-        width = max(min(self.wanted_width(self.sentence_width, room), room), _NARROWEST)
+        widest = _WIDEST * self.sentence.fontMetrics().height()
+        room = min(self.below.width() - 2 * _SIDE, widest)
+        width = max(min(self.place_buttons(room), room), _NARROWEST)
         if (layout := self.layout()) is not None:
             layout.activate()
         height = max(self.heightForWidth(width), self.minimumSizeHint().height())
@@ -120,20 +134,12 @@ class MessageBar(SentenceBar):
     def __init__(self, parent: QWidget) -> None:
         super().__init__("message", "closeMessage", parent)
         words = "Suggested action"
-        self._offers = [tool_button(name, words, words, icon_size=14) for name in _OFFERS]
-        for button in self._offers:
+        self._buttons = [tool_button(name, words, words, icon_size=14) for name in _OFFERS]
+        for index, button in enumerate(self._buttons):
+            self._row.insertWidget(index, button)
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
             button.hide()
             keep_pointer(button)
-        row_of(
-            self.sign,
-            (self.sentence, 1),
-            *self._offers,
-            self.close_button,
-            margins=(12, 6, 8, 6),
-            spacing=GAP,
-            parent=self,
-        )
         for part in (self, self.sign, self.sentence):
             # Mouse moves reach the plot below, which shows the hint about a press.
             part.setMouseTracking(True)
@@ -158,21 +164,17 @@ class MessageBar(SentenceBar):
 
     @property
     def _offered(self) -> list[QToolButton]:
-        return [button for button in self._offers if not button.isHidden()]
+        return [button for button in self._buttons if not button.isHidden()]
 
     def _show(self, text: str, actions: Sequence[QAction], *, warns: bool) -> None:
         if self.text == text and len(self._offered) == len(actions):
             return
-        for button, action in zip_longest(self._offers, actions):
+        for button, action in zip_longest(self._buttons, actions):
             if action is not None:
                 button.setDefaultAction(action)
                 button.setAccessibleName(action.text())
             button.setVisible(action is not None)
         self.show_sentence(text, warns=warns)
-
-    def wanted_width(self, sentence: int, room: int) -> int:
-        """Return the width with the buttons beside the sentence."""
-        return sentence + sum(button.sizeHint().width() + GAP for button in self._offered)
 
 
 class NoticeBar(SentenceBar):
@@ -180,11 +182,6 @@ class NoticeBar(SentenceBar):
 
     def __init__(self, kind: str, parent: QWidget, above: QWidget | None = None) -> None:
         super().__init__(kind, f"close{kind.capitalize()}Bar", parent, above)
-        self._buttons: list[QToolButton] = []
-        self._row = row_of(1, spacing=GAP)
-        self._middle = column_of((self.sentence, 1), self._row, spacing=4)
-        parts = (self.sign, (self._middle, 1), self.close_button)
-        row_of(*parts, margins=(12, 6, 8, 6), spacing=GAP, parent=self)
         self.follow_theme()
 
     @property
@@ -207,11 +204,3 @@ class NoticeBar(SentenceBar):
             self._row.insertWidget(index, button)
             button.show()
         self.show_sentence(text, warns=warns)
-
-    def wanted_width(self, sentence: int, room: int) -> int:
-        """Return the width; buttons are beside the sentence where they fit, and else below."""
-        buttons = sum(button.sizeHint().width() + GAP for button in self._buttons)
-        is_one_row = sentence + buttons <= room
-        across, down = QBoxLayout.Direction.LeftToRight, QBoxLayout.Direction.TopToBottom
-        self._middle.setDirection(across if is_one_row else down)
-        return sentence + buttons if is_one_row else max(sentence, buttons + 60)

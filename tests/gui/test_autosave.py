@@ -27,6 +27,7 @@ from app.storage.files import load, save
 from app.storage.format import encode
 from app.storage.recovery import SUFFIX, SnapshotFile, SnapshotOrigin, list_snapshots
 from app.testing import Editor
+from app.widgets.elided_label import ElidedLabel
 from app.workbench.document_files import file_stem, title_of
 from tests.waiting import LIMIT, until
 
@@ -453,10 +454,13 @@ def test_discard_can_be_undone(editor, is_empty):
     press(editor, "discardWork1")
     press(editor, "discardWork0")
     assert not bar(editor).isVisible()
-    named = "The unsaved work on “Left over” and “Untitled sketch” was discarded."
-    assert editor.message == f"{named} It is deleted when the window is closed."
+    assert editor.message == "“Left over” and “Untitled sketch” were discarded."
     press(editor, "offeredAction")
     assert "discarded" not in editor.message
+    assert bar(editor).text == "2 documents with unsaved work from the last session:"
+    # So does Ctrl+Z, which said "Nothing to undo".
+    press(editor, "discardWork0")
+    editor.key(Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     assert bar(editor).text == "2 documents with unsaved work from the last session:"
     # Without the message the menu does it as well.
     press(editor, "discardWork0")
@@ -513,8 +517,7 @@ def test_a_discarded_row_leaves_scroll_focus_and_message(qtbot, tmp_path):
     editor.settle()
     assert area.verticalScrollBar().value() == before
     assert editor.window.focusWidget() is editor.window.findChild(QPushButton, "discardWork2")
-    words = f"The unsaved work on “{name}” was discarded. It is deleted when the window is closed."
-    assert editor.message == words
+    assert editor.message == f"“{name}” was discarded."
     # At the end the last row takes the place.
     area.verticalScrollBar().setValue(area.verticalScrollBar().maximum())
     editor.window.findChild(QPushButton, "discardWork3").setFocus()
@@ -529,6 +532,33 @@ def test_a_discarded_row_leaves_scroll_focus_and_message(qtbot, tmp_path):
     press(editor, "offeredAction")
     labels = [each.text() for each in bar(editor).findChildren(QLabel)]
     assert set(re.findall("“(.*?)”", message)) <= set(labels)
+
+
+@pytest.mark.parametrize("factor", [1, 2])
+def test_recovered_documents_are_told_apart_in_any_size_of_type(qtbot, qapp, tmp_path, factor):
+    """At twice the size both read "Untitled ske…", and 440 px of the canvas were free."""
+    usual = qapp.font()
+    font = qapp.font()
+    font.setPointSizeF(factor * usual.pointSizeF())
+    qapp.setFont(font)
+    try:
+        editor = Editor(qtbot, preferences=Preferences(tmp_path / "settings.ini"), size=(1440, 900))
+        untitled = Document((make_curve([(0, 0), (1, 2)], name=""),))
+        leave_behind(replace(untitled, curves=(replace(untitled.curves[0], name="Untitled sketch"),)))
+        leave_behind(replace(untitled, curves=(replace(untitled.curves[0], name="Untitled sketch"),)))
+        editor.window.commands[RecoveryCommands].offer_unsaved_work()
+        editor.settle()
+        labels = [label for label in bar(editor).findChildren(ElidedLabel) if label.isVisible()]
+        names = [label for label in labels if "of 2)" in label.text()]
+        assert len(names) == 2
+        for label in names if factor > 1 else labels:
+            assert label.width() >= label.fontMetrics().horizontalAdvance(label.text()), label.text()
+        press(editor, "discardWork0")
+        message = editor.window.message_bar
+        assert message.height() < 3 * message.sentence.fontMetrics().height()
+        assert message.geometry().bottom() < bar(editor).geometry().top()
+    finally:
+        qapp.setFont(usual)
 
 
 def test_the_recovery_bar_works_with_the_keyboard(editor):

@@ -96,6 +96,8 @@ class HistoryCommands:
             return
         if title := self._context.central.canvas.tools.background.cancel_last():
             self._session.say(f"{title} was cancelled.")
+        elif self._context.store.state.undoes_discard:
+            self._context.actions["recoverWork"].trigger()
         elif stack.canUndo():
             text = stack.undoText()
             stack.undo()

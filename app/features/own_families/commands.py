@@ -209,5 +209,5 @@ class FamilyBar(NoticeBar):
 
     def place(self) -> None:
         """Take the width of the column, with the buttons beside the sentence where they fit."""
-        self.wanted_width(self.sentence_width, self.below.width())
+        self.place_buttons(self.below.width())
         self.updateGeometry()

@@ -39,7 +39,8 @@ from ...widgets.elided_label import ElidedLabel
 from ...widgets.frames import OverlayFrame, scroll_vertically
 from ...workbench.document_files import NEW_NAME
 
-_WIDEST, _SIDE, _BELOW = 640, 40, 44
+_USUAL, _SIDE, _BELOW = 640, 40, 44
+_AROUND_ROWS = 24
 _PICTURE = (57, 36)
 _MOST_COVERED = 1 / 4
 """Largest share of the canvas that the bar covers; more scrolls."""
@@ -150,9 +151,10 @@ class RecoveryBar(OverlayFrame):
     def place(self) -> None:
         """Move to the bottom, centred; at most a quarter of the canvas is covered, and rows scroll."""
         below, content = self.below, self._rows.widget()
-        width = min(below.width() - 2 * _SIDE, _WIDEST)
         if content is None:
             return
+        wanted = content.sizeHint().width() + self._rows.verticalScrollBar().sizeHint().width() + _AROUND_ROWS
+        width = min(below.width() - 2 * _SIDE, max(_USUAL, wanted))
         rows = max(content.heightForWidth(width), content.sizeHint().height())
         self._rows.setFixedHeight(rows)
         most = int(_MOST_COVERED * below.width() * below.height() / max(width, 1))

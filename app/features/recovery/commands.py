@@ -8,7 +8,7 @@ from pathlib import Path
 from ...actions.declaration import action
 from ...actions.menus import FILE_RECOVERY
 from ...document.model import Document
-from ...document.words import names_of
+from ...document.words import names_with_verb
 from ...session import DocumentOrigin
 from ...storage.recovery import Snapshot, SnapshotListing, list_snapshots
 from ...workbench.context import WindowContext
@@ -24,6 +24,7 @@ class RecoveryCommands:
 
     def __init__(self, context: WindowContext) -> None:
         self._context = context
+        context.session.history_changed.connect(lambda: context.store.change(undoes_discard=False))
         self._bar: recovery.bar.RecoveryBar | None = None
         self._listing = SnapshotListing()
         # Names and snapshots, deleted when the window is closed; until then "recoverWork" offers them again.
@@ -50,7 +51,7 @@ class RecoveryCommands:
 
     @action("recoverWork", "Recover Unsaved Work", FILE_RECOVERY, icon="history")
     def _offer_again(self) -> None:
-        """Show unsaved work from earlier sessions, and work that was discarded in this one."""
+        """Show unsaved work from earlier sessions, and work discarded here until the window is closed."""
         self._context.session.offer("")
         self.offer_unsaved_work()
         if not self._listing.snapshots and not self._listing.damaged:
@@ -64,6 +65,7 @@ class RecoveryCommands:
         for _, snapshot in self._discarded:
             snapshot.leave()
         self._discarded = []
+        self._context.store.change(undoes_discard=False)
         self._listing = list_snapshots(snapshot_folder())
         if self._listing.snapshots or self._listing.damaged:
             self._render()
@@ -124,13 +126,13 @@ class RecoveryCommands:
         name = recovery.bar.unsaved_work_of(self._listing.snapshots)[index].name
         self._discarded.append((name, self._take(index)))
         self._offer_discarded()
+        self._context.store.change(undoes_discard=True)
 
     def _offer_discarded(self) -> None:
         """Name the discarded work, and offer it again, if there is any."""
         if self._discarded:
-            names = names_of([f"“{name}”" for name, _ in self._discarded])
-            text = f"The unsaved work on {names} was discarded. It is deleted when the window is closed."
-            self._context.session.offer(text, "recoverWork")
+            names = names_with_verb([f"“{name}”" for name, _ in self._discarded])
+            self._context.session.offer(f"{names} discarded.", "recoverWork")
 
     def _later(self, index: int) -> None:
         self._take(index).leave()
