@@ -20,7 +20,7 @@ from ..plotting.layers import Layer
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.stamps import Mark
-from ..plotting.text import OccupiedRoom, number_position, write_in_corner
+from ..plotting.text import OccupiedRoom, inside, number_position, write_in_corner
 from ..tasks.task import DelayedCall
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.curve.handles import Handles
@@ -147,7 +147,7 @@ class PointLayer(Layer):
         # Beside small points, handles of the usual size would hide the neighbours.
         self.visible_handles.paint(painter, pixel_map, self._ink, discs.radius / (RADIUS * self.scale))
         self._paint_points(painter, discs, colours)
-        self._paint_numbers(painter, pixels)
+        self._paint_numbers(painter, pixels, pixel_map)
         if self.scrub is not None:
             self._paint_scrub_dot(painter, pixel_map)
 
@@ -260,13 +260,13 @@ class PointLayer(Layer):
 
     # Numbers
 
-    def _paint_numbers(self, painter: QPainter, pixels: FloatArray) -> None:
+    def _paint_numbers(self, painter: QPainter, pixels: FloatArray, pixel_map: PixelMap) -> None:
         self.numbers = []
         numbered = self._roles.numbered
         if not numbered:
             return
         on_plates = self.over_picture or (self._view is not None and self._view.source.style.has_fill)
-        for label in self._labels(painter, pixels, numbered):
+        for label in self._labels(painter, pixels, numbered, pixel_map):
             self.numbers.append((label.centre, len(label.text)))
             if label.is_weighed:
                 # Weights change in every frame: a halo for each would take too long.
@@ -285,7 +285,7 @@ class PointLayer(Layer):
         painter.drawPixmap(corner, picture)
 
     def _labels(
-        self, painter: QPainter, pixels: FloatArray, indices: Sequence[int]
+        self, painter: QPainter, pixels: FloatArray, indices: Sequence[int], pixel_map: PixelMap
     ) -> Iterator[_NumberLabel]:
         """Yield the labels of points, number and weight; labels that would cover others are omitted."""
         with_weight = None if self.weights is None else self._has_weight_text(len(pixels))
@@ -310,7 +310,13 @@ class PointLayer(Layer):
             if self.weights is not None and centre is not None:
                 further = number_position(pixels, index, away + size.height(), beyond)
                 aside = QPointF(size.width(), 0.0)
-                centre = occupied.reserve((centre, further, centre - aside, centre + aside), QSizeF(size))
+                places = [centre, further, centre - aside, centre + aside]
+                if pixel_map.near(pixels[[index]]).all():
+                    # A label that is cut off at the edge would be another number.
+                    corners = [place - QPointF(size.width(), size.height()) / 2 for place in places]
+                    room = QSizeF(size)
+                    places = [inside(at.x(), at.y(), room, pixel_map).center() for at in corners]
+                centre = occupied.reserve(places, QSizeF(size))
             if centre is not None:
                 yield _NumberLabel(text, colour, centre, glyphs, is_weighed)
 

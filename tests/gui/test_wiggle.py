@@ -17,6 +17,7 @@ from app.document.words import short, with_decimals
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.wiggle.commands import WiggleCommands
 from app.features.wiggle.panel import WigglePanel
+from app.testing import Editor
 from tests.gui.editor_facts import until_settled
 
 LEFT = Qt.MouseButton.LeftButton
@@ -357,6 +358,35 @@ def assert_weights_do_not_cover_each_other(editor, family):
             box.moveCenter(centre)
             boxes.append(box)
         assert not any(one.intersects(other) for one, other in combinations(boxes, 2)), (family, t)
+
+
+def test_weights_at_the_edge_of_the_view_are_whole(runge):
+    """ "1 −0.07" read "0.07" at the edge of the view."""
+    canvas, layer = runge.window.canvas, runge.window.canvas.drawing.points
+    runge.session.scrub.set(0.03)
+    x, y = runge.point(1)
+    for left, right in ((x - 0.01, x + 2.0), (x - 2.0, x + 0.01)):
+        canvas.camera.show_box((left, right), (y - 1.0, y + 1.0))
+        runge.settle()
+        metrics = QFontMetricsF(layer.fonts.times(0.95 * layer.scale))
+        visible = [index for index in range(len(HEIGHTS)) if left < runge.point(index)[0] < right]
+        assert 1 in visible
+        half = 0.35 * metrics.averageCharWidth()
+        boxes = [(centre.x() - half * length, centre.x() + half * length) for centre, length in layer.numbers]
+        near = [box for box in boxes if box[1] > 0 and box[0] < canvas.pixel_map.width]
+        assert near
+        assert all(low >= 0 and high <= canvas.pixel_map.width for low, high in near)
+
+
+@pytest.mark.parametrize("size", [(1440, 900), (1024, 700)])
+def test_the_explanation_takes_no_room_from_the_points(qtbot, size):
+    runge = with_runge(Editor(qtbot, size=size))
+    points = runge.window.findChild(QDockWidget, "pointsDock")
+    before = points.geometry()
+    runge.key(Qt.Key.Key_W)
+    settled(runge)
+    assert panel(runge).isVisible()
+    assert points.geometry() == before
 
 
 def test_a_hidden_explanation_computes_nothing(new_editor):

@@ -18,7 +18,7 @@ from ...view_model import analysis
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.line_styles import CURE_STYLE
 from ...workbench.context import WindowContext
-from ...workbench.docks import Panel, make_room
+from ...workbench.docks import Panel
 from .. import wiggle
 
 if TYPE_CHECKING:
@@ -28,7 +28,6 @@ from ...tools.pointer import Hint, Part
 from ...tools.tool import GestureRow, Tool, ToolEvent, ToolRecord
 
 _GROUP = "cure"
-_HEIGHT = 460
 
 
 class ExplainTool(Tool):
@@ -140,7 +139,6 @@ class WiggleCommands(QObject):
     def _open(self) -> None:
         self._dock.bring_up()
         self.follow_drag(self._session.active_view)
-        make_room(self._context.window, self._dock, _HEIGHT)
 
     def _keep_scrub(self) -> None:
         if not self._is_visible:

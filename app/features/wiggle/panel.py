@@ -169,7 +169,7 @@ class WigglePanel(QScrollArea):
     def _lay_out(self) -> None:
         page = QWidget()
         self._fill_rows()
-        parts = (self.words, self.title, self.bars, self.calm, self._rows, 1)
+        parts = (self.words, self.calm, self._rows, self.title, self.bars, 1)
         column_of(*parts, margins=(10, 10, 8, 10), spacing=8, parent=page)
         self.setWidget(page)
         self.setMinimumWidth(page.minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width())
