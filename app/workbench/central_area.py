@@ -111,6 +111,8 @@ class CentralArea:
         self.under_canvas.addWidget(self.canvas, 1)
         self.panes: tuple[CentralPane, ...] = ()
         self._fits_whole = False
+        # The heights at scale 1, while the scale is another one.
+        self._scale, self._usual_heights = 1.0, list[int]()
         self.splitter.setStretchFactor(0, _STRETCH)
         self.splitter.setChildrenCollapsible(False)
         # Else the background of the window shows beside the thin line of a handle.
@@ -158,9 +160,22 @@ class CentralArea:
         return any(plot.cancel_gesture() for plot in self.plots)
 
     def set_scale(self, scale: float) -> None:
-        """Enlarge points, lines and numbers, for a projector."""
+        """Enlarge points, lines and numbers, for a projector, and the panes up to half of the height.
+
+        At scale 1 the panes have the heights that they had before.
+        """
         for plot in self.plots:
             plot.set_scale(scale)
+        heights = self.splitter.sizes()
+        usual = self._usual_heights or heights
+        self._usual_heights = usual if scale != 1.0 else []
+        # A pane that was opened since then has no usual height.
+        pairs = zip(usual, heights, strict=True)
+        _canvas, *wanted = (max(scale, 1.0) * (then or now / self._scale) for then, now in pairs)
+        share = min(sum(heights) / 2 / (sum(wanted) or 1.0), 1.0) if scale > 1.0 else 1.0
+        panes = [round(share * height) for height in wanted]
+        self._scale = scale
+        self.splitter.setSizes([sum(heights) - sum(panes), *panes])
 
     def fit(self) -> None:
         """Fit all curves, and the usual ranges of the panes."""

@@ -8,7 +8,9 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 from pixels import pixels_of
-from PySide6.QtCore import QEvent, QPointF, QSizeF, Qt
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSizeF, Qt
+from PySide6.QtGui import QFontMetrics
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QToolButton, QWidget
 
 from app.appearance.colours import point_colours
@@ -321,15 +323,19 @@ def test_without_parameters_the_panel_explains_why_there_are_no_functions(editor
 
 def test_larger_drawing_enlarges_the_rail_and_the_numbers_at_the_axes(editor, panel):
     size = panel.getAxis("bottom").font.pointSizeF()
-    place = panel.rail_pixel(0.5).y()
+
+    def above_bottom():
+        return panel.height() - panel.rail_pixel(0.5).y()
+
+    height = above_bottom()
     editor.trigger("enlarge")
     editor.trigger("enlarge")
     assert panel.getAxis("bottom").font.pointSizeF() == pytest.approx(1.5 * size)
-    assert panel.rail_pixel(0.5).y() < place
+    assert above_bottom() > 1.3 * height
     editor.drag_parameter(3, to=0.45)
     assert editor.parameters[3] == pytest.approx(0.45, abs=1.5 / panel.pixel_map.sx)
     editor.trigger("usualSize")
-    assert panel.rail_pixel(0.5).y() == pytest.approx(place, abs=1)
+    assert above_bottom() == pytest.approx(height, abs=1)
 
 
 def test_hovering_a_point_of_the_canvas_highlights_the_tick(editor, panel):
@@ -432,6 +438,47 @@ def test_functions_are_sampled_densely_enough_in_a_long_segment(editor, panel):
     rising = values[t < editor.parameters[6]]
     # Second differences of a function drawn smoothly are small against a pixel's height, 1/150.
     assert np.abs(np.diff(rising, 2)).max() < 1e-3
+
+
+def test_the_switch_of_the_estimates_stays_under_the_pointer(editor):
+    """It moved by 430 px: a second click at the same place missed it."""
+    editor.choose_family(QUINTIC_HERMITE)
+    switch = editor.window.findChild(QToolButton, "withEstimates")
+    place = switch.mapTo(editor.window, switch.rect().center())
+    for is_on in (True, False, True):
+        QTest.mouseClick(editor.window.childAt(place), Qt.MouseButton.LeftButton)
+        editor.settle()
+        assert editor.window.store.state.with_estimates is is_on
+        assert switch.mapTo(editor.window, switch.rect().center()) == place
+
+
+def test_no_family_moves_the_plot(editor, panel):
+    places = set()
+    for family in FAMILIES:
+        editor.choose_family(family)
+        editor.settle()
+        places.add(panel.geometry().getRect())
+    assert len(places) == 1
+
+
+def test_the_label_of_the_scrub_line_is_not_crossed_by_functions(editor, panel):
+    """ "t = 1" stood in the number of a function."""
+    for t in np.linspace(*editor.session.active_view.curve.domain, 9).tolist():
+        editor.session.scrub.set(t)
+        editor.settle()
+        metrics = QFontMetrics(panel.drawing.rail.fonts.less(1.5, 1.0))
+        text = f"t = {editor.session.active_view.t_text(t)}"
+        width, x = metrics.horizontalAdvance(text), panel.pixel_map.point(t, 0.0)[0]
+        left = x + 9 if x + 10 + width < panel.pixel_map.width else x - 8 - width
+        zero = QPointF(panel.to_pixel(t, 0.0)) - QPointF(*panel.pixel_map.point(t, 0.0))
+        part = QRectF(zero.x() + left, zero.y() + 3, width - 2, metrics.height() - 2).toRect()
+        packed = pixels_of(panel.viewport().grab(part).toImage()).reshape(-1, 1)
+        found = (packed >> np.array([16, 8, 0]) & 0xFF).astype(float)
+        paper, accent = (np.array(colour.getRgb()[:3], float) for colour in (LIGHT.paper, LIGHT.accent))
+        # Every pixel is a mixture of paper and accent.
+        along = (found - paper) @ (accent - paper) / ((accent - paper) @ (accent - paper))
+        apart = np.abs(found - paper - along[:, None] * (accent - paper)).max()
+        assert apart < 40, t
 
 
 @pytest.mark.parametrize("width", [1024, 1280])

@@ -8,7 +8,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QTabBar, QToolButton, QWidget
 
 from app.document.model import Document, make_curve
-from app.families import HERMITE
+from app.families import HERMITE, QUINTIC_HERMITE
 from app.features.lessons.commands import LessonCommands
 from tests.waiting import until
 
@@ -135,6 +135,28 @@ def test_all_texts_grow_with_the_drawing_and_come_back(wave):
     wave.trigger("usualSize")
     assert sizes() == pytest.approx(before)
     assert table.rowHeight(0) == row
+
+
+def test_the_basis_functions_grow_and_their_switches_stay_in_reach(wave):
+    """Nothing wrote the header anew when its letters grew without a new width; the plot kept its height."""
+    pane, height = wave.window.central["basisPane"], None
+    wave.choose_family(QUINTIC_HERMITE)
+    press_f11(wave)
+    heights = wave.window.splitter.sizes()
+    height = pane.height()
+    for times in range(1, 5):
+        wave.key(Qt.Key.Key_Equal, Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier)
+        wave.settle()
+        for button in pane.findChildren(QToolButton):
+            if button.isVisible():
+                right = button.mapTo(pane, button.rect().topRight()).x()
+                assert right < pane.width(), (times, button.objectName())
+        scale = wave.window.store.state.scale
+        assert scale > 1.0
+        assert pane.height() >= min(scale * height, sum(heights) / 2) - 2
+    wave.trigger("usualSize")
+    wave.settle()
+    assert wave.window.splitter.sizes() == heights
 
 
 @pytest.mark.parametrize("size", [(1440, 900), (1024, 700)])

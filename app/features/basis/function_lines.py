@@ -435,7 +435,8 @@ class CrestNames:
         is_clear = lines.leave_free(centres)
         for dx, side in ((0.0, inside), (-aside, beyond), (aside, beyond), (-aside, inside), (aside, inside)):
             candidates = np.column_stack([x + dx, side])
-            fits = (side >= half) & (side + half <= floor) & (x + dx >= 0) & (x + dx <= pixel_map.width)
+            is_level = (side >= half) & (side + half <= floor)
+            fits = is_level & (x + dx >= width / 2) & (x + dx <= pixel_map.width - width / 2)
             better = np.flatnonzero(~is_clear & fits)
             better = better[lines.leave_free(candidates[better])]
             centres[better], is_clear[better] = candidates[better], True

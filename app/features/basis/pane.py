@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QAction, QIcon, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QToolButton, QWidget
 
@@ -32,8 +32,13 @@ _NAMES = ("position", *(derivative.name for derivative in DERIVATIVES))
 _CARDINAL_TITLES = ("Cardinal functions  Cᵢ(t)", "Cᵢ(t)")
 _CARDINAL_TIP = "Effect of point i on the curve, including the derivatives estimated from it"
 
-_WORDS_MS = 33
+_ESTIMATES = "With estimates"
+_TEXT, _TEXT_BESIDE_ICON = (
+    Qt.ToolButtonStyle.ToolButtonTextOnly,
+    Qt.ToolButtonStyle.ToolButtonTextBesideIcon,
+)
 
+_WORDS_MS = 33
 
 _LEAST_HEADER = QSize(260, 100)
 """Largest minimum size of the header."""
@@ -66,7 +71,7 @@ class BasisPane(FollowsTheme, CentralPane):
         self.plot = self._panel = panel
         self._title = named(Label("Basis functions"), "basisTitle")
         label = "Show the effect of each point including its estimates"
-        self._estimates = tool_button("withEstimates", label, "", text="With estimates")
+        self._estimates = _keep_room(tool_button("withEstimates", label, "", text=_ESTIMATES))
         mirror(self._estimates, estimates)
         self._shows_cardinals, self._linearised = False, ""
         self._kinds = [self._kind_button(kind) for kind in range(len(_NAMES))]
@@ -82,7 +87,7 @@ class BasisPane(FollowsTheme, CentralPane):
         self._findings = Label(name="basisFindings", label="Findings about the functions", wordWrap=True)
         self._findings.setContentsMargins(10, 0, 8, 2)
         self._findings.hide()
-        # Level of brevity of the header, from 0 to 3.
+        # Level of brevity of the header, from 0 to 4.
         self._brevity = 0
         self._words_timer = DelayedCall(self, _WORDS_MS, self._write_reach)
         self._lay_out()
@@ -96,7 +101,6 @@ class BasisPane(FollowsTheme, CentralPane):
         button = tool_button(f"{name}Functions", f"Show {name} functions", tip)
         button.setCheckable(True)
         button.setChecked(True)
-        button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         button.setIconSize(SIGN)
         button.clicked.connect(lambda: self._panel.drawing.switch_kind(kind))
         return button
@@ -106,20 +110,17 @@ class BasisPane(FollowsTheme, CentralPane):
         button = tool_button("fitBasis", "Fit the basis functions", tip, text="Fit")
         button.setCheckable(True)
         button.clicked.connect(self._fit_or_calm)
-        # Its room stays when it is hidden; otherwise the plot below would jump.
-        policy = button.sizePolicy()
-        policy.setRetainSizeWhenHidden(True)
-        button.setSizePolicy(policy)
-        return button
+        return _keep_room(button)
 
     def _lay_out(self) -> None:
         row = _HeaderRow(self)
         named(row.content, "basisHeader")
-        switches = (*self._kinds, self._estimates)
-        parts: tuple[Part, ...] = (self._title, *switches, self._drawing, 1, self._extent, self._fit)
+        # Estimates change what is left of the stretch: their switch stays at the right.
+        ends = (self._extent, self._estimates, self._fit)
+        parts: tuple[Part, ...] = (self._title, *self._kinds, self._drawing, 1, *ends)
         self._header = row_of(*parts, margins=(10, 4, 8, 2), spacing=6, parent=row.content)
         self._header.insertSpacing(1, 8)
-        for button in switches:
+        for button in (*self._kinds, self._estimates):
             # Hidden until there is a curve: otherwise the window reserves room for all of them.
             button.hide()
         column_of(row, self._findings, (self._panel, 1), margins=0, spacing=0, parent=self)
@@ -178,24 +179,35 @@ class BasisPane(FollowsTheme, CentralPane):
         super().resizeEvent(event)
         self._write_header()
 
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() in (QEvent.Type.StyleChange, QEvent.Type.FontChange) and self.isVisible():
+            self._write_header()
+
     def _write_header(self) -> None:
         """Write as much as there is room for.
 
-        First the names beside the formulas are omitted, then words of the note, then factors of functions.
+        First the names beside the formulas are omitted, then words of the note, factors of functions, and
+        at last the title and the samples of lines.
         """
         linearised = f"; shown are those {self._linearised}" if self._linearised else ""
         set_tip(self._title, f"{_CARDINAL_TIP}{linearised}" if self._shows_cardinals else "")
         formulas, _drawing, functions = self._header_texts
-        for brief in range(4):
-            self._brevity = brief
+        for brief in range(5):
+            self._brevity, is_briefest = brief, brief > 3
+            self._title.setHidden(is_briefest)
+            self._estimates.setText("Cᵢ(t)" if is_briefest else _ESTIMATES)
             self._title.setText(_CARDINAL_TITLES[min(brief, 1)] if self._shows_cardinals else functions)
             for kind, formula in enumerate(formulas):
                 # The leading space keeps the text off its line sample.
                 # The function without factors: B₁ of 2·B₁ ∕ h.
                 text = formula.rpartition("·")[2].partition(" ")[0] if brief > 2 else formula
                 self._kinds[kind].setText(" " + (text if brief else f"{_NAMES[kind]}  {formula}"))
+                self._kinds[kind].setToolButtonStyle(_TEXT if is_briefest else _TEXT_BESIDE_ICON)
             self._write_extent()
-            if self._header.sizeHint().width() <= self.width():
+            # The notes are elided before the title is omitted.
+            needed = self._header.sizeHint() if brief < 3 else self._header.minimumSize()
+            if needed.width() <= self.width():
                 break
 
     def _write_extent(self) -> None:
@@ -246,6 +258,14 @@ class BasisPane(FollowsTheme, CentralPane):
         if self._extent.sizeHint() != room:
             # The brevity of the header depends on the room that this text leaves.
             self._write_header()
+
+
+def _keep_room(button: QToolButton) -> QToolButton:
+    """Return a button whose room stays when it is hidden; otherwise the plot below would jump."""
+    policy = button.sizePolicy()
+    policy.setRetainSizeWhenHidden(True)
+    button.setSizePolicy(policy)
+    return button
 
 
 def _reach_text(reach: tuple[float, float] | None, *, brief: bool = False) -> str:

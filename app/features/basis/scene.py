@@ -308,7 +308,8 @@ class RailLayer(Layer):
         text = f"t = {self._t_text(t)}"
         width = painter.fontMetrics().horizontalAdvance(text) + 2.0
         left = x > pixel_map.width - width - 8
-        box = QRectF(x - 8 - width if left else x + 8, 2, width, 18 * self.scale)
+        box = QRectF(x - 8 - width if left else x + 8, 2, width, painter.fontMetrics().height())
+        painter.fillRect(box.adjusted(-2, -2, 2, 2), self.theme.paper)
         side = Qt.AlignmentFlag.AlignRight if left else Qt.AlignmentFlag.AlignLeft
         painter.drawText(box, int(side | Qt.AlignmentFlag.AlignTop), text)
 
