@@ -44,7 +44,14 @@ class SentenceBar(OverlayFrame):
 
     closed = Signal(str)
 
-    def __init__(self, kind: str, close_name: str, below: QWidget, beside: QWidget | None = None) -> None:
+    def __init__(
+        self,
+        kind: str,
+        close_name: str,
+        below: QWidget,
+        beside: QWidget | None = None,
+        buttons: Sequence[QToolButton] = (),
+    ) -> None:
         super().__init__(f"{kind}Bar", below, beside)
         self._beside = beside
         self.clear_top: Callable[[], float] = lambda: 0.0
@@ -55,8 +62,8 @@ class SentenceBar(OverlayFrame):
         self.close_button = tool_button(close_name, words, words, flat=True)
         self.close_button.clicked.connect(self._put_away)
         keep_pointer(self.close_button)
-        self._buttons: list[QToolButton] = []
-        self._row = row_of(1, spacing=GAP)
+        self._buttons = list(buttons)
+        self._row = row_of(*buttons, 1, spacing=GAP)
         self._middle = column_of((self.sentence, 1), self._row, spacing=4)
         parts = (self.sign, (self._middle, 1), self.close_button)
         row_of(*parts, margins=(12, 6, 8, 6), spacing=GAP, parent=self)
@@ -132,11 +139,10 @@ class MessageBar(SentenceBar):
     """
 
     def __init__(self, parent: QWidget) -> None:
-        super().__init__("message", "closeMessage", parent)
         words = "Suggested action"
-        self._buttons = [tool_button(name, words, words, icon_size=14) for name in _OFFERS]
-        for index, button in enumerate(self._buttons):
-            self._row.insertWidget(index, button)
+        buttons = [tool_button(name, words, words, icon_size=14) for name in _OFFERS]
+        super().__init__("message", "closeMessage", parent, buttons=buttons)
+        for button in buttons:
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
             button.hide()
             keep_pointer(button)
