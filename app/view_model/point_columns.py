@@ -269,7 +269,8 @@ def sides_differ(view: CurveView, index: int, order: int) -> bool:
     if view.sides is None or index not in view.two_sided:
         return False
     before, after = (side[:, order] for side in view.sides)
-    return bool(np.abs(before - after)[index].max() > _SAME * np.abs(after).max())
+    jump = np.abs(before[index] - after[index]).max()
+    return bool(jump and jump > _SAME * np.abs(after).max())
 
 
 def _set_derivatives(
