@@ -1,6 +1,7 @@
 """Curvature made continuous by the smallest change: of handle lengths for cubics, else of accelerations.
 
-At a joint two sides meet: those of a point, or the ends of two curves. The point and its tangent stay. On a
+At a joint two sides meet: those of a point, or the ends of two curves. The point stays, and its tangent where
+it is one: tangents that differ by up to two degrees are turned to their mean direction first. On a
 cubic the curvature at an end is two thirds of the height of the far handle's tip over the tangent, divided by
 the square of the length of the near handle ("harmonised" handles of type design have one curvature); with
 accelerations it is their normal part divided by the square of the speed.
@@ -30,7 +31,7 @@ from msgspec.structs import replace
 import curvecore
 from curvecore.arrays import BoolArray, FloatArray
 
-from ..document.constraints import PARALLEL, angle_between
+from ..document.constraints import PARALLEL, angle_between, turned_along, with_derivative
 from ..document.derivatives import DERIVATIVES
 from ..document.model import Curve, Vector
 from ..document.point_group import PointGroup
@@ -55,6 +56,9 @@ _MEET = 1e-9
 
 _LEAST_STEPS, _MOST_STEPS = 20, 50
 """Steps to the least change, and all steps, after which joints count as incompatible."""
+
+_TURNED = math.radians(2.0)
+"""Angle between tangents up to which they are turned into line."""
 
 _INCOMPATIBLE = "no handles were found that suit the other points as well"
 
@@ -179,7 +183,7 @@ def _refusal(first: Bend, second: Bend) -> str:
     if not first.is_length or first.curvature == second.curvature == 0.0:
         return ""
     if not (first.curvature and second.curvature):
-        return "the curve is straight on one side"
+        return "the curvature is 0 on one side"
     return "the curve bends to opposite sides" if first.curvature * second.curvature > 0.0 else ""
 
 
@@ -203,11 +207,14 @@ class Matched(msgspec.Struct, frozen=True):
         The joints at which something was changed.
     refusals
         The joints at which it is not possible, with the reason.
+    turn
+        The largest angle in radians between tangents that were turned into line; 0 for none.
     """
 
     curves: Mapping[int, Curve]
     joints: Sequence[Joint]
     refusals: Mapping[Joint, str]
+    turn: float = 0.0
 
     @property
     def changed_curves(self) -> dict[int, Curve]:
@@ -248,6 +255,7 @@ def _why_rigid(view: CurveView) -> str:
 
 def _searched(start: Mapping[int, CurveView], joints: Sequence[Joint]) -> Matched:
     """Search for the nearest values with equal curvatures at joints."""
+    start, turns = _in_line(start, joints)
     sides, curves = list(chain.from_iterable(joints)), {curve: view.source for curve, view in start.items()}
     first = bends = _bends(sides, start, curves)
     if refusals := _refusals(joints, bends):
@@ -277,7 +285,36 @@ def _searched(start: Mapping[int, CurveView], joints: Sequence[Joint]) -> Matche
     uneven = [joint for joint, pair in pairs if _refusal(*pair) or _unevenness(*pair) > _MATCHED]
     if uneven:
         return Matched(curves, (), {uneven[0]: _INCOMPATIBLE})
-    return Matched(curves, [joint for joint, is_new in zip(joints, is_changed, strict=True) if is_new], {})
+    changed_joints = [
+        joint for joint, is_new in zip(joints, is_changed, strict=True) if is_new or joint in turns
+    ]
+    return Matched(curves, changed_joints, {}, max(turns.values(), default=0.0))
+
+
+def _in_line(
+    start: Mapping[int, CurveView], joints: Sequence[Joint]
+) -> tuple[Mapping[int, CurveView], Mapping[Joint, float]]:
+    """Return curves with nearly parallel tangents turned to their mean, and the angles between those.
+
+    The mean is weighted by the lengths of handles. A side without curvature, such as a straight one, is kept.
+    """
+    curves, turns = {curve: view.source for curve, view in start.items()}, dict[Joint, float]()
+    bends = _bends([*chain.from_iterable(joints)], start, curves)
+    for joint, (one, other) in zip(joints, _pairs(bends), strict=True):
+        turn = math.pi - angle_between(one.outwards, other.outwards)
+        if not (PARALLEL < turn <= _TURNED and one.curvature and other.curvature):
+            continue
+        turns[joint] = turn
+        a, b = (one.value, other.value) if one.is_length and other.is_length else (1.0, 1.0)
+        x, y = (a * out - b * back for out, back in zip(one.outwards, other.outwards, strict=True))
+        for side, sign in zip(joint, (1, -1), strict=True):
+            curve, (_, point, ahead), along = curves[side.curve], side, sign if side.ahead else -sign
+            velocity = start[side.curve].velocity_of(point, ahead=ahead) or (0.0, 0.0)
+            turned = turned_along(velocity, (along * x, along * y))
+            new = with_derivative(curve, point, 1, turned, ahead=ahead)
+            points = (*curve.points[:point], new, *curve.points[point + 1 :])
+            curves[side.curve] = replace(curve, points=points)
+    return {curve: view_of(new) for curve, new in curves.items()} if turns else start, turns
 
 
 def _pairs(bends: Sequence[Bend]) -> list[tuple[Bend, Bend]]:

@@ -235,6 +235,45 @@ def test_the_meeting_ends_of_two_curves_are_matched(editor, family, how):
     assert editor.session.document == document
 
 
+@pytest.mark.parametrize("degrees", [0.009, -1.9])
+@pytest.mark.parametrize("family", [HERMITE, QUINTIC_HERMITE])
+def test_tangents_of_ends_that_nearly_agree_are_turned_to_their_mean(editor, family, degrees):
+    """Ends drawn by hand were refused for 0.009°."""
+    begin(editor, *two_curves(family, turn=math.radians(degrees)))
+    document, before = editor.session.document, end_handles(editor)
+    editor.session.selected.select_whole([0, 1])
+    editor.trigger("matchCurvature")
+    assert editor.status.startswith("Curvature matched at the ends of “One” and “Two”: largest change ")
+    assert editor.status.endswith(f"; tangents {abs(degrees)}° apart were turned into line.")
+    ends = [curvature_at(pieces_of(view)[-1], Fraction(1)) for view in editor.session.views]
+    assert ends[0] == pytest.approx(-ends[1], rel=1e-9)
+    one, other = (handle / abs(handle) for handle in end_handles(editor))
+    assert one == pytest.approx(-other, abs=1e-15)
+    if family is HERMITE:
+        mean = before[0] - before[1]
+    else:
+        mean = before[0] / abs(before[0]) - before[1] / abs(before[1])
+    assert one == pytest.approx(mean / abs(mean), abs=1e-15)
+    editor.trigger("undo")
+    assert editor.session.document == document
+
+
+@pytest.mark.parametrize("bend", [0.0, 0.1])
+def test_a_straight_end_is_not_turned(editor, bend):
+    one = make_curve([(0, 0), (4, 0)], family=HERMITE, name="One")
+    begin(editor, one, make_curve([(4, 0), (8, 0.1), (12, 0.2 + bend)], family=HERMITE, name="Two"))
+    editor.session.selected.select_whole([0, 1])
+    assert "the tangents differ by " in refused(editor)
+
+
+def end_handles(editor):
+    """The last handles of the two curves, as complex numbers from the point on."""
+    return [
+        complex(*map(float, np.subtract(points[-2], points[-1])))
+        for points in (pieces_of(view)[-1][2] for view in editor.session.views)
+    ]
+
+
 def both_ends():
     from app.document.point_group import group_points
 
@@ -262,7 +301,7 @@ def test_impossible_matches_are_refused_with_the_reason(editor):
     editor.trigger("straightSegment")
     editor.select([2])
     editor.trigger("tangentSmooth")
-    assert refused(editor, 2) == "Nothing was changed. Not at point 2: the curve is straight on one side."
+    assert refused(editor, 2) == "Nothing was changed. Not at point 2: the curvature is 0 on one side."
     begin(editor, *two_curves(turn=0.1))
     editor.session.selected.select_whole([0, 1])
     assert (

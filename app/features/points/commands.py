@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Collection, Sequence
 from functools import partial
 from itertools import chain
@@ -175,6 +176,9 @@ class TangentCommands(CommandSet):
         text = _joints_text(views, result.joints or joints)
         if session.change(f"Match curvature at {text}", edit):
             change = f"{number(result.largest_change(views), 2)} {session.document.unit}".rstrip()
+            if result.turn:
+                apart = number(math.degrees(result.turn), 2)
+                change += f"; tangents {apart}° apart were turned into line"
             session.say(f"Curvature matched at {text}: largest change {change}.{left}")
 
     def _report(self, done: str, before: Sequence[Curve], group: PointGroup) -> None:
