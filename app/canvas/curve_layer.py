@@ -84,7 +84,7 @@ class CurveLayer(Layer):
         # In steps too small to be seen: the drawing is painted at each step, not sixty times a second.
         self._fade = QVariantAnimation(plot, startValue=_GHOST_STEPS, endValue=0, duration=_GHOST_MS)
         self._fade.valueChanged.connect(lambda _value: self.update())
-        self._fade.finished.connect(self._drop_ghost)
+        self._fade.finished.connect(self.drop_ghost)
 
     def render(self, view: CurveView) -> None:
         """Draw `view` from the next paint on."""
@@ -117,7 +117,8 @@ class CurveLayer(Layer):
             self._ghost_held = False
             self._fade.start()
 
-    def _drop_ghost(self) -> None:
+    def drop_ghost(self) -> None:
+        """Show no ghost any more."""
         self._ghost = None
         self.update()
 

@@ -155,6 +155,8 @@ class CanvasScene:
 
     def _show_ghost_of_other_rules(self, view: CurveView) -> None:
         old = self.view
+        if old is not None and len(old.source.points) != len(view.source.points):
+            self.curve.drop_ghost()
         if old is None or old.source.points != view.source.points:
             return
         if self._plot.is_dragging or not old.is_current or not view.is_current:

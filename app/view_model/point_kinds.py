@@ -226,13 +226,16 @@ def _with_estimates_kept(view: CurveView, changed: Curve, *, turned: bool = Fals
 
 
 def jolts_of(view: CurveView) -> list[int]:
-    """Return the corners that are not visible: the velocity is continuous, and a higher derivative jumps."""
+    """Return the corners that are not visible: the velocity is continuous and a higher derivative jumps.
+
+    Where the velocity is zero, a jump of the next turns the curve: a cusp is visible.
+    """
     if view.sides is None:
         return []
     before, after = (side[view.corners, 1:] for side in view.sides)
     scale = np.abs(view.sides.after[:, 1:]).max(axis=(0, 2))
     jumps = np.abs(after - before).max(axis=2) > _SAME * scale
-    is_jolt = ~jumps[:, 0] & jumps.any(axis=1)
+    is_jolt = ~jumps[:, 0] & jumps.any(axis=1) & before[:, 0].any(axis=1)
     return [index for index, jolt in zip(view.corners, is_jolt.tolist(), strict=True) if jolt]
 
 

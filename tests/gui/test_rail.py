@@ -313,6 +313,20 @@ def test_a_ghost_of_the_curve_stays_while_a_tick_is_dragged_and_then_fades(edito
     until_it_faded(canvas)
 
 
+def test_a_ghost_goes_with_a_point_that_is_inserted(editor):
+    curve = editor.window.canvas.drawing.curve
+    editor.choose_parametrization(ParametrizationKind.UNIFORM)
+    curve._fade.pause()
+    curve._fade.setCurrentTime(0)
+    assert curve._ghost is not None
+    editor.select([2, 3])
+    count = len(editor.curve.points)
+    editor.key(Qt.Key.Key_Insert)
+    assert len(editor.curve.points) == count + 1
+    assert curve._ghost is None
+    assert curve.ghost_opacity == 0
+
+
 def test_a_ghost_that_fades_is_painted_in_few_steps(editor):
     curve = editor.window.canvas.drawing.curve
     curve.show_ghost(editor.window.canvas.pixel_map)

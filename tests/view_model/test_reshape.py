@@ -18,7 +18,13 @@ from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.curve.curve_view import view_of
 from app.view_model.curve.distances import dense
 from app.view_model.join import joined
-from app.view_model.point_kinds import with_corners, with_smooth_points, with_symmetric_points
+from app.view_model.point_kinds import (
+    jolts_of,
+    with_corners,
+    with_handle_retracted,
+    with_smooth_points,
+    with_symmetric_points,
+)
 from app.view_model.reshape import Reshaped, frozen, inserted_index, reversed_curve, with_point_inserted
 from app.view_model.split import Split, split
 from tests.rows import each_row
@@ -485,6 +491,15 @@ def are_mirrored(shown, index):
         for ahead in (False, True)
     )
     return np.allclose(before, after, rtol=1e-12, atol=1e-12)
+
+
+def test_a_cusp_is_a_visible_corner():
+    """The facts of a curve said "2 points with two sides" of retracted handles."""
+    cusp = view(QUINTIC_HERMITE, manual=False)
+    for ahead in (False, True):
+        cusp = view_of(with_handle_retracted(cusp, 2, ahead=ahead))
+    assert cusp.corners == [2]
+    assert jolts_of(cusp) == []
 
 
 @each_row("family", WITH_VELOCITIES)
