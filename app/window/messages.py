@@ -91,12 +91,11 @@ class Messages(QObject):
             self._dismissed = ""
         if not text or text == self._dismissed:
             self._bar.hide()
-        elif self._offered is not None and text == self._offered[0]:
-            self._bar.offer(*self._offered)
         elif warns:
             self._bar.warn(text, self._remedy(view, text))
         else:
-            self._bar.tell(text)
+            offered, actions = self._offered or ("", ())
+            self._bar.tell(text, actions if text == offered else ())
 
     def _remedy(self, view: CurveView, text: str) -> QAction | None:
         """Return the action that solves a problem; None where there is none."""

@@ -45,12 +45,7 @@ class SentenceBar(OverlayFrame):
     closed = Signal(str)
 
     def __init__(
-        self,
-        kind: str,
-        close_name: str,
-        below: QWidget,
-        beside: QWidget | None = None,
-        buttons: Sequence[QToolButton] = (),
+        self, kind: str, close_name: str, below: QWidget, beside: QWidget | None = None, *buttons: QToolButton
     ) -> None:
         super().__init__(f"{kind}Bar", below, beside)
         self._beside = beside
@@ -141,7 +136,7 @@ class MessageBar(SentenceBar):
     def __init__(self, parent: QWidget) -> None:
         words = "Suggested action"
         buttons = [tool_button(name, words, words, icon_size=14) for name in _OFFERS]
-        super().__init__("message", "closeMessage", parent, buttons=buttons)
+        super().__init__("message", "closeMessage", parent, None, *buttons)
         for button in buttons:
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
             button.hide()
@@ -160,20 +155,12 @@ class MessageBar(SentenceBar):
         """Show a problem, with a button for the action that solves it."""
         self._show(text, [action] if action is not None else [], warns=True)
 
-    def tell(self, text: str) -> None:
-        """Show a hint."""
-        self._show(text, [], warns=False)
-
-    def offer(self, text: str, actions: Sequence[QAction]) -> None:
+    def tell(self, text: str, actions: Sequence[QAction] = ()) -> None:
         """Show a sentence with a button for each action."""
         self._show(text, actions, warns=False)
 
-    @property
-    def _offered(self) -> list[QToolButton]:
-        return [button for button in self._buttons if not button.isHidden()]
-
     def _show(self, text: str, actions: Sequence[QAction], *, warns: bool) -> None:
-        if self.text == text and len(self._offered) == len(actions):
+        if self.text == text and sum(not button.isHidden() for button in self._buttons) == len(actions):
             return
         for button, action in zip_longest(self._buttons, actions):
             if action is not None:

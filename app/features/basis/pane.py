@@ -33,10 +33,8 @@ _CARDINAL_TITLES = ("Cardinal functions  Cᵢ(t)", "Cᵢ(t)")
 _CARDINAL_TIP = "Effect of point i on the curve, including the derivatives estimated from it"
 
 _ESTIMATES = "With estimates"
-_TEXT, _TEXT_BESIDE_ICON = (
-    Qt.ToolButtonStyle.ToolButtonTextOnly,
-    Qt.ToolButtonStyle.ToolButtonTextBesideIcon,
-)
+_TEXT = Qt.ToolButtonStyle.ToolButtonTextOnly
+_TEXT_BESIDE_ICON = Qt.ToolButtonStyle.ToolButtonTextBesideIcon
 
 _WORDS_MS = 33
 

@@ -69,7 +69,7 @@ class RecoveryBar(OverlayFrame):
         self.setAccessibleName("Unsaved work")
         self._unsaved: tuple[UnsavedWork, ...] = ()
         self._pictures: list[Label] = []
-        self._title = Label(name="recoveryTitle", wordWrap=True)
+        self._title = ElidedLabel("recoveryTitle")
         self._note: Label | None = None
         tip = "Decide later: the next start asks again"
         self._close = tool_button("closeRecovery", "Decide later", tip, flat=True)
@@ -159,7 +159,8 @@ class RecoveryBar(OverlayFrame):
         self._rows.setFixedHeight(rows)
         most = int(_MOST_COVERED * below.width() * below.height() / max(width, 1))
         height = max(self.heightForWidth(width), self.minimumSizeHint().height())
-        scrolled = max(min(height - most, rows - _PICTURE[1]), 0)
+        least = max(_PICTURE[1], 2 * self.fontMetrics().height())
+        scrolled = max(min(height - most, rows - least), 0)
         self._rows.setFixedHeight(rows - scrolled)
         top = max(below.height() - height + scrolled - _BELOW, 0)
         self.setGeometry((below.width() - width) // 2, top, width, height - scrolled)
