@@ -52,10 +52,11 @@ def velocity_in(curve: Curve, segment: int) -> Vector | None:
     """Return the common velocity at both ends of a segment, if nothing bends it; else None.
 
     Both ends must be corners, or ends of an open curve: there the velocities belong to this segment alone.
+    Those of an even point are of its two handles, whatever line these are in.
     """
     start, end = ends_of(curve, segment)
     p, q, last = curve.points[start], curve.points[end], len(curve.points) - 1
-    if not curve.is_closed and not 0 <= segment < last:
+    if (not curve.is_closed and not 0 <= segment < last) or p.even or q.even:
         return None
     if not (p.corner or (start == 0 and not curve.is_closed)):
         return None
@@ -270,9 +271,7 @@ def with_derivative(
     if is_straight_beside(curve, index, ahead=not ahead):
         x, y = unit_vector(held)
         far = max(vector[0] * x + vector[1] * y, 0.0)
-        vector = (far * x, far * y)
-        even = point.even and far > 0.0
-        return replace(point, **{name: vector} | ({other: _in_step(held, was, vector)} if even else {}))
+        return replace(point, **{name: (far * x, far * y)})
     opposite = _in_step(held, was, vector) if point.even else turned_along(held, vector)
     return replace(point, **{name: vector, other: opposite})
 

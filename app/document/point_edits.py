@@ -195,11 +195,20 @@ def clear_derivatives(
 
 
 def make_corner(
-    document: Document, curve: int, index: int, before: Vector | None, after: Vector | None
+    document: Document,
+    curve: int,
+    index: int,
+    before: Vector | None,
+    after: Vector | None,
+    *,
+    even: bool = False,
 ) -> Document:
-    """Make point `index` a corner with these velocities (None: estimated)."""
+    """Make point `index` a corner with these velocities (None: estimated); tied where it is to be `even`."""
     point = document.curves[curve].points[index]
-    corner = replace(point.as_corner(), velocity=before, velocity_after=after, tied=False)
+    point = point if point.corner else point.as_corner()
+    for vector in filter(None, (before, after)):
+        checked_vector(vector, f"the velocity of point {index}")
+    corner = replace(point, velocity=before, velocity_after=after, tied=even, even=even)
     return _with_point(document, curve, index, corner)
 
 

@@ -9,21 +9,28 @@ from functools import cached_property
 from msgspec.structs import replace
 
 from ..document import point_edits, words
-from ..document.constraints import tied_to_straight_segment
-from ..document.curve_edits import replace_curve
-from ..document.model import Document, Vector
+from ..document.curve_edits import delete_last_point, replace_curve
+from ..document.model import Curve, Document, Point, Vector
 from ..document.point_group import points_of
 from ..document.selection import SelectionState
 from ..document.several_curves import remove_curves
-from ..view_model.append import Appending, with_bare_corner, with_point_appended
-from ..view_model.curve.curve_view import CurveView, view_of
-from ..view_model.curve.handles import derivative_from_handle
+from ..view_model.append import (
+    Appending,
+    closed_by_pen,
+    with_bare_corner,
+    with_handles_pulled,
+    with_point_appended,
+)
+from ..view_model.curve.curve_view import CurveView
 from ..view_model.join import End, Joined, joined_by_pen
 from ..view_model.reshape import Reshaped, with_point_inserted
 from .editing_session import EditingSession
 from .pointer import SNAP_KEY, STEP_KEYS, Hit, Part, Pointer, in_steps, plus
 from .snapping import Snapper
-from .tool import Drag, ToolEvent
+from .tool import CANCELLED, Drag, ToolEvent
+
+TAKING_BACK = ("backspace", "delete")
+"""Keys that remove the last point."""
 
 CurveKey = tuple[int, str]
 
@@ -39,6 +46,8 @@ class PenSession:
         self._finished: dict[CurveKey, int] = {}
         # How many points each had when the pen began to draw it.
         self._drawn: dict[CurveKey, int] = {}
+        # The points as they were before the last of them was drawn.
+        self._before: dict[tuple[Point, ...], tuple[Point, ...]] = {}
 
     def reset(self) -> None:
         """Forget everything; another document is open."""
@@ -48,6 +57,7 @@ class PenSession:
     def begin(self) -> None:
         """Forget which curves are drawn: the pen is activated."""
         self._drawn.clear()
+        self._before.clear()
 
     @property
     def has_drawn(self) -> bool:
@@ -85,6 +95,20 @@ class PenSession:
         if self._finished.pop(key, None) is not None:
             self._drawn.pop(key, None)
         self._drawn.setdefault(key, count)
+
+    def without_last(self, document: Document, curve: int) -> Document:
+        """Return the document with the last point of a curve taken back, the others as before it was drawn.
+
+        Where they have been changed since, it is deleted.
+        """
+        source = document.curves[curve]
+        if before := self._before.get(source.points):
+            return document.with_curve(curve, replace(source, points=before))
+        return delete_last_point(document, curve)
+
+    def note_last(self, before: Curve, after: Curve) -> None:
+        """Note how the points of a curve were before the last one was drawn."""
+        self._before[after.points] = before.points
 
     def drawn_points(self, session: EditingSession) -> int:
         """Return the number of points at the end of the active curve that the pen has drawn."""
@@ -174,7 +198,7 @@ def selection_of(curve: int, index: int) -> SelectionState:
 
 
 class AppendPoint(Drag, kw_only=True):
-    """New last point at the press; dragging sets its velocity, or moves it where there is none.
+    """New last point at the press; dragging pulls out its handles, or moves it where there are none.
 
     With Alt the handle behind the point stays where it was, and only the one ahead of it follows.
 
@@ -188,8 +212,8 @@ class AppendPoint(Drag, kw_only=True):
         Makes the point of a press that does not become a drag.
     pen, key_of_curve
         What the pen knows of the curves that it draws, and this one.
-    velocity_before_alt
-        The velocity when Alt was not held.
+    pulled_before_alt
+        The offset of the handle ahead when Alt was not held.
     """
 
     starts_at_press = True
@@ -200,13 +224,24 @@ class AppendPoint(Drag, kw_only=True):
     pen: PenSession
     key_of_curve: CurveKey
     append: Appending = with_point_appended
-    velocity_before_alt: Vector | None = None
+    pulled_before_alt: Vector | None = None
 
     def move(self, event: ToolEvent) -> None:
-        """Note the velocity while Alt is not held, and preview."""
+        """Note the offset of the handle while Alt is not held, and preview."""
         super().move(event)
         if not event.pointer.alt and not self.refusal and self._sets_velocity(event.pointer):
-            self.velocity_before_alt = self._velocity_at(event.pointer)
+            self.pulled_before_alt = self._pulled(event.pointer)
+
+    def wants_key(self, key: str) -> bool:
+        """Return whether a key takes back the point that is being drawn."""
+        return key in TAKING_BACK
+
+    def key(self, event: ToolEvent, key: str) -> bool:
+        """Cancel the drag."""
+        if self.wants_key(key):
+            event.session.interrupt()
+            event.session.say(CANCELLED)
+        return False
 
     def document_at(self, pointer: Pointer) -> Document:
         """Return the document with the new point, its handle drawn out to the pointer."""
@@ -214,11 +249,9 @@ class AppendPoint(Drag, kw_only=True):
         document = self._with_point(self._position(pointer))
         if not self._sets_velocity(pointer):
             return document
-        velocity = self._velocity_at(pointer)
-        if pointer.alt:
-            document = self._with_handle_ahead(document, index, velocity)
-        else:
-            document = point_edits.set_velocity(document, self.curve, index, velocity)
+        ahead = self._pulled(pointer)
+        behind = self.pulled_before_alt if pointer.alt else ahead
+        document = with_handles_pulled(document, self.curve, index, behind, ahead)
         return with_bare_corner(document, self.curve, index - 1) if index else document
 
     def _with_point(self, position: Vector) -> Document:
@@ -243,26 +276,10 @@ class AppendPoint(Drag, kw_only=True):
     def _sets_velocity(self, pointer: Pointer) -> bool:
         return self._is_dragged(pointer) and self.view.source.family.derivatives > 0
 
-    @staticmethod
-    def _offset(pointer: Pointer, position: Vector) -> Vector:
-        """Return the offset by which the handle is drawn out: with Ctrl or Shift in steps of 15°."""
-        offset = pointer.offset_from(position)
+    def _pulled(self, pointer: Pointer) -> Vector:
+        """Return the offset to which the handle is pulled out: with Ctrl or Shift in steps of 15°."""
+        offset = pointer.offset_from(self._position(pointer))
         return in_steps(offset) if pointer.is_constrained else offset
-
-    def _velocity_at(self, pointer: Pointer) -> Vector:
-        """Return the velocity with the handle of the new point drawn out to the pointer."""
-        position = self._position(pointer)
-        document = self._with_point(position)
-        tip = plus(position, self._offset(pointer, position))
-        return derivative_from_handle(view_of(document.curves[self.curve]), self._index, 1, tip, ahead=True)
-
-    def _with_handle_ahead(self, document: Document, index: int, velocity: Vector) -> Document:
-        """Return the document with another velocity ahead of the new point alone."""
-        before = self.velocity_before_alt or document.curves[self.curve].points[index].velocity
-        document = point_edits.make_corner(document, self.curve, index, before, velocity)
-        curve = document.curves[self.curve]
-        points = (*curve.points[:index], tied_to_straight_segment(curve, index))
-        return document.with_curve(self.curve, replace(curve, points=points))
 
     def undo_text(self, pointer: Pointer) -> str:
         """Return "Add point 3"."""
@@ -282,19 +299,18 @@ class AppendPoint(Drag, kw_only=True):
         text = f"{self.undo_text(pointer)} at {words.pair_text(position, pointer.pixel_size)}"
         if not self._sets_velocity(pointer):
             return text
-        text = f"{text}, velocity at {words.direction(self._offset(pointer, position))}"
+        text = f"{text}, velocity at {words.direction(self._pulled(pointer))}"
         if pointer.alt:
             return f"{text} · a corner"
         if self.view.source.is_closed:
             return text
         # What will hold when the next point comes.
-        source = self.view.source
-        both = "both handles stay" if source.family.derivatives == 1 else "handles stay at most this long"
-        return f"{text} · {both if source.points else 'the handle stays here'}"
+        return f"{text} · {'both handles stay' if self.view.source.points else 'the handle stays here'}"
 
     def committed(self, event: ToolEvent) -> None:
         """Note that the pen draws the curve; not before: Escape leaves a finished curve finished."""
         self.pen.draw(self.key_of_curve, self._index)
+        self.pen.note_last(self.view.source, event.session.document.curves[self.curve])
         super().committed(event)
 
 
@@ -316,11 +332,11 @@ class PressOnEnd(AppendPoint, kw_only=True):
         text = self.undo_text(pointer)
         if not self._sets_velocity(pointer):
             return text
-        return f"{text}, handle at {words.direction(self._offset(pointer, self._position(pointer)))}"
+        return f"{text}, handle at {words.direction(self._pulled(pointer))}"
 
 
 class GoOn(PressOnEnd, kw_only=True):
-    """Press by which the pen goes on with another curve, from the last point of `view`.
+    """Press by which the pen goes on with a curve that it is not drawing, from the last point of `view`.
 
     The document has the curve reversed where that was its first point. The curve keeps its shape.
     """
@@ -332,17 +348,14 @@ class GoOn(PressOnEnd, kw_only=True):
         """Return the document with the handle ahead under the pointer."""
         if not self._sets_velocity(pointer):
             return self.document
-        return self._with_handle_ahead(self.document, self._index, self._velocity_at(pointer))
-
-    def _with_point(self, position: Vector) -> Document:
-        return self.document
+        return with_handles_pulled(self.document, self.curve, self._index, None, self._pulled(pointer))
 
     @property
     def _index(self) -> int:
         return len(self.view.source.points) - 1
 
     def _position(self, pointer: Pointer) -> Vector:
-        return self.view.source.points[-1].position
+        return self.view.source.points[self._index].position
 
     def release(self, event: ToolEvent) -> None:
         """Set the handle; go on without one where none was pulled out."""
@@ -358,6 +371,30 @@ class GoOn(PressOnEnd, kw_only=True):
     def committed(self, event: ToolEvent) -> None:
         """Note that the pen draws the curve."""
         self.pen.draw(self.key_of_curve, self._index + 1)
+
+
+class CloseCurve(GoOn, kw_only=True):
+    """Press on the first point, which closes the curve; a drag pulls the handle behind it out.
+
+    The handle ahead of it stays where it was pulled, and with Alt in any case.
+    """
+
+    keys = f"{STEP_KEYS} · Alt: only the handle behind"
+    committed = Drag.committed
+    _index = 0
+
+    def document_at(self, pointer: Pointer) -> Document:
+        """Return the document with the curve closed, the handle behind its first point by the pointer."""
+        if not self._sets_velocity(pointer):
+            return self.document
+        document, pulled = closed_by_pen(self.document, self.curve, self.view), self._pulled(pointer)
+        ahead = None if pointer.alt or document.curves[self.curve].points[0].corner else pulled
+        document = with_handles_pulled(document, self.curve, 0, pulled, ahead)
+        return with_bare_corner(document, self.curve, len(self.view.source.points) - 1)
+
+    def undo_text(self, pointer: Pointer) -> str:
+        """Return "Close Curve 2"."""
+        return f"Close {self.view.source.name}"
 
 
 class JoinEnd(PressOnEnd, kw_only=True):

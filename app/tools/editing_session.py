@@ -175,6 +175,9 @@ class EditingSession(Protocol):
     def cancel(self) -> None:
         """Drop the preview, and restore the selection before it."""
 
+    def interrupt(self) -> object:
+        """Drop the gesture in flight with its preview."""
+
     def say(self, text: str, *, is_hint: bool = False) -> None:
         """Show a sentence in the status line; a hint about the next press goes with the tool in use."""
 

@@ -1,10 +1,9 @@
 """Points appended, curves closed, points inserted in the middle of segments, at extrema and at inflections.
 
-A point has one velocity, and its handles lie at ±h·v/3 of the segments on its two sides: a segment that is
-ten times as long as the one before it would pull the handle ahead ten times as far out as the person did.
-So the pen gives a cubic two velocities of one direction there, with which both handles are as long as drawn.
-Elsewhere, and where the rules estimate higher derivatives, which two velocities would divide, the velocity
-shrinks until neither handle is longer than drawn.
+A handle that is pulled out is stored for both sides of its point at once: two velocities of one direction,
+whose handles are equally long. The handles lie at ±h·v/3 of the segments beside the point, so that a segment
+which comes later rescales the velocity of its side alone. Whatever comes, the handles stay where they were
+pulled; the rules estimate higher derivatives on each side for itself.
 
 A corner that was clicked has no handle: beside a handle that was pulled its own is retracted, and elsewhere
 the rules estimate it, until it is pulled out.
@@ -24,16 +23,17 @@ import curvecore
 from curvecore import CurveError, ParametricCurve
 from curvecore.arrays import FloatArray
 
-from ..document.constraints import ends_of, is_straight_beside, rescaled_beside
+from ..document.constraints import ends_of, is_straight_beside, rescaled_beside, tied_to_straight_segment
 from ..document.curve_edits import set_closed
 from ..document.derivatives import DERIVATIVES
 from ..document.limits import EditError
 from ..document.model import Curve, Document, Point, Vector, derivatives_of
-from ..document.point_edits import JetValue, append_point, insert_points, with_jet_values
+from ..document.point_edits import JetValue, append_point, insert_points, make_corner, with_jet_values
 from ..document.rule_edits import freeze_parameters
 from ..document.words import number
 from .curve.core_curve import parameters_of
 from .curve.curve_view import CurveView, view_of
+from .curve.handles import derivative_of_offset
 from .geometry import at_knots, polygon_length, segment_at
 from .reshape import (
     Reshaped,
@@ -64,7 +64,7 @@ def with_point_appended(document: Document, curve: int, view: CurveView, positio
         If a document may not hold the position.
     """
     t = appended_parameter(view, Point(*position)) if view.source.is_manual else None
-    return with_points_appended(document, curve, view, [Point(*position, t=t)], by_pen=True)
+    return with_points_appended(document, curve, view, [Point(*position, t=t)])
 
 
 Appending = Callable[[Document, int, CurveView, Vector], Document]
@@ -72,11 +72,9 @@ Appending = Callable[[Document, int, CurveView, Vector], Document]
 
 
 def with_points_appended(
-    document: Document, curve: int, view: CurveView, points: Sequence[Point], *, by_pen: bool = False
+    document: Document, curve: int, view: CurveView, points: Sequence[Point]
 ) -> Document:
     """Return the document with `points` at the end of its curve `curve`; handles as by `with_point_appended`.
-
-    Unless `by_pen`, the point before them keeps one velocity: neither handle is longer than it was.
 
     Raises
     ------
@@ -89,7 +87,7 @@ def with_points_appended(
     document = insert_points(document, curve, count + 1, points[1:])
     if view.source.is_closed:
         return document
-    return _with_handles_as_drawn(document, curve, view, [count - 1], by_pen=by_pen)
+    return _with_handles_as_drawn(document, curve, view, [count - 1])
 
 
 def is_quick(view: CurveView) -> bool:
@@ -125,6 +123,8 @@ def view_with_point(
 def with_closed(document: Document, index: int, view: CurveView, closed: bool) -> Document:
     """Return the document with its curve `index`, which `view` shows, closed or open; handles stay.
 
+    What was set at its ends is for both sides, as by `with_point_appended`.
+
     Raises
     ------
     EditError
@@ -135,7 +135,9 @@ def with_closed(document: Document, index: int, view: CurveView, closed: bool) -
         document = document.with_curve(index, replace(view.source, points=view.source.points[:-1]))
         return set_closed(document, index, closed)
     scale = scale_of(view, replace(view.source, closed=closed))
-    return set_closed(document, index, closed, parameter_scale=scale)
+    document = set_closed(document, index, closed, parameter_scale=scale)
+    ends = [0, len(view.source.points) - 1] if closed else []
+    return _with_handles_as_drawn(document, index, view, ends)
 
 
 def _ends_where_it_starts(curve: Curve) -> bool:
@@ -153,10 +155,8 @@ def closed_by_pen(document: Document, curve: int, view: CurveView) -> Document:
     EditError
         If the curve cannot be closed.
     """
-    last = len(view.source.points) - 1
     document = with_closed(document, curve, view, closed=True)
-    document = _with_handles_as_drawn(document, curve, view, [0, last], by_pen=True)
-    return with_bare_corner(document, curve, last)
+    return with_bare_corner(document, curve, len(view.source.points) - 1)
 
 
 def with_bare_corner(document: Document, curve: int, segment: int) -> Document:
@@ -180,23 +180,36 @@ def has_pulled_handle(curve: Curve) -> bool:
     """Whether a handle was pulled out ahead of the last point: no rule, and no line before, has set it."""
     if not (curve.points and curve.family.derivatives):
         return False
-    point, last = curve.points[-1], len(curve.points) - 1
-    velocity = point.explicit_sides(1)[1]
-    is_of_line = not point.corner and is_straight_beside(curve, last, ahead=False)
-    return velocity is not None and any(velocity) and not is_of_line
+    return any(_with_two_sides(curve, len(curve.points) - 1).explicit_sides(1)[1] or ())
+
+
+def with_handles_pulled(
+    document: Document, curve: int, index: int, behind: Vector | None, ahead: Vector | None
+) -> Document:
+    """Return the document with handles pulled out of a point; None for a side that stays as it is.
+
+    `ahead` is the offset of the handle ahead, `behind` that of which the handle behind is the mirror image.
+    Where both are the same the point is symmetric, else a corner, but for a line that its handle continues.
+    """
+    view = view_of(document.curves[curve])
+    before, after = view.source.points[index].explicit_sides(1)
+    if behind is not None:
+        before = derivative_of_offset(view, index, 1, (-behind[0], -behind[1]), ahead=False)
+    if ahead is not None:
+        after = derivative_of_offset(view, index, 1, ahead, ahead=True)
+    document = make_corner(document, curve, index, before, after, even=behind == ahead)
+    source = document.curves[curve]
+    points = list(source.points)
+    points[index] = tied_to_straight_segment(source, index)
+    return document.with_curve(curve, replace(source, points=tuple(points)))
 
 
 def _with_handles_as_drawn(
-    document: Document, curve: int, view: CurveView, ends: Collection[int], *, by_pen: bool
+    document: Document, curve: int, view: CurveView, ends: Collection[int]
 ) -> Document:
-    """Return the document with the handles drawn at the ends of `view`, which have one more segment now.
-
-    Both handles of a corner are independent, and stay. So do those of a cubic that is drawn `by_pen`, by two
-    velocities of one direction; else a velocity shrinks by the longer of the two segments.
-    """
+    """Return the document with the handles drawn at the ends of `view`, which have one more segment now."""
     grown = document.curves[curve]
-    ends = [index for index in ends if _is_set(view.source, index)]
-    if not ends or not view.is_current:
+    if not (view.is_current and grown.family.derivatives):
         return document
     try:
         h = np.diff(_parameters_alone(grown))
@@ -204,34 +217,25 @@ def _with_handles_as_drawn(
         return document
     points = list(grown.points)
     for index in ends:
-        drawn = view.spacing(index, ahead=index == 0)
-        if drawn:
+        point, drawn = _with_two_sides(view.source, index), view.spacing(index, ahead=index == 0)
+        if drawn and point.corner:
             # From the handle as drawn, not as the new parameters have changed it: the factor is for both.
-            behind, ahead = (float(length) / drawn for length in (h[index - 1], h[index]))
-            point = _corner_beside_line(view.source, index)
-            if not point.corner and not math.isclose(behind, ahead):
-                if by_pen and grown.family.derivatives == 1 and any(point.velocity or ()):
-                    point = replace(point.as_corner(), tied=True, even=True)
-                else:
-                    behind = ahead = max(behind, ahead)
-            points[index] = rescaled_beside(point, behind, ahead)
+            points[index] = rescaled_beside(point, *(float(h[side]) / drawn for side in (index - 1, index)))
     return document.with_curve(curve, replace(grown, points=tuple(points)))
 
 
-def _corner_beside_line(curve: Curve, index: int) -> Point:
-    """Return a point at an end; beside a line as a corner, whose other side the rules estimate."""
+def _with_two_sides(curve: Curve, index: int) -> Point:
+    """Return a point at an end with its velocity, where it is set, for both sides.
+
+    Beside a line it is a corner, whose other side the rules estimate.
+    """
     point, is_first = curve.points[index], index == 0
-    if point.corner or not is_straight_beside(curve, index, ahead=is_first):
+    if point.corner or point.velocity is None:
         return point
-    free = {derivative.name if is_first else derivative.after: None for derivative in DERIVATIVES}
-    return replace(point.as_corner(), **free)
-
-
-def _is_set(curve: Curve, index: int) -> bool:
-    """Whether the person set a derivative that the family uses at a point."""
-    if not (curve.family.derivatives and 0 <= index < len(curve.points)):
-        return False
-    return any(derivatives_of(curve.points[index]))
+    if is_straight_beside(curve, index, ahead=is_first):
+        free = {derivative.name if is_first else derivative.after: None for derivative in DERIVATIVES}
+        return replace(point.as_corner(), **free)
+    return replace(point.as_corner(), tied=True, even=True)
 
 
 def scale_of(before: CurveView, after: Curve) -> float:

@@ -11,7 +11,8 @@ from PySide6.QtCore import QEvent, Qt
 from app.document import point_edits, rule_edits
 from app.document.model import ParametrizationKind, Point
 from app.families import HERMITE, LAGRANGE
-from tests.gui.editor_facts import at
+from app.view_model.curve.handles import handles_of
+from tests.gui.editor_facts import at, undo_text
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -73,7 +74,7 @@ def test_several_curves_are_drawn_in_a_row_and_the_active_curve_continues(pen):
 def test_a_click_on_the_last_point_continues_the_curve(pen):
     pen.key(Qt.Key.Key_Return)
     pen.hover(pen.point(2))
-    assert hint(pen) == "Click to continue this curve · Drag to move point 2"
+    assert hint(pen) == "Click to continue this curve · Drag to pull out its handle"
     pen.click(pen.point(2))
     assert pen.status == "Continuing “Curve 1”; the next press adds point 3."
     pen.click(at(pen, 300, 150))
@@ -87,7 +88,7 @@ def test_a_click_on_the_first_point_of_a_finished_curve_continues_from_the_start
     pen.session.commit(point_edits.set_velocity(document, 0, 1, (400.0, -90.0)), "Begin")
     drawn, first = pen.session.active_view.curve.evaluate(np.linspace(0, 1, 33)), pen.point(0)
     pen.hover(first)
-    assert hint(pen) == "Click to continue this curve from its first point · Drag to move point 0"
+    assert hint(pen) == "Click to continue this curve from its first point · Drag to pull out its handle"
     assert pen.window.canvas.marks.preview_curve is None
     pen.click(first)
     assert pen.status == "Continuing “Curve 1”; the next press adds point 3."
@@ -106,12 +107,25 @@ def test_a_click_on_the_first_point_of_a_finished_curve_continues_from_the_start
     assert pen.curve == closed
 
 
-def test_a_drag_of_the_last_point_moves_the_point_and_the_curve_stays_finished(pen):
+@pytest.mark.parametrize("end", [0, 2])
+def test_a_drag_at_an_end_pulls_out_its_handle_and_the_curve_goes_on(pen, end):
+    """As at an end of any other curve."""
     pen.key(Qt.Key.Key_Return)
-    pen.drag(pen.point(2), at(pen, 220, 20))
-    assert pen.point(2) == pytest.approx(at(pen, 220, 20), abs=2 * pen.pixel)
-    pen.click(at(pen, 300, 150))
-    assert sizes(pen) == [3, 1]
+    before, position = pen.curve, pen.point(end)
+    tip = (position[0] + 30 * pen.pixel, position[1] + 50 * pen.pixel)
+    pen.press(position)
+    pen.move(tip)
+    assert pen.status.startswith("Continue Curve 1, handle at 59")
+    pen.escape()
+    pen.release(tip)
+    assert pen.curve == before
+    pen.drag(position, tip)
+    assert undo_text(pen) == "Continue Curve 1"
+    assert pen.point(2) == position
+    pen.click(at(pen, 300, 150), keys=Qt.KeyboardModifier.AltModifier)
+    assert sizes(pen) == [4]
+    (ahead,) = (each for each in handles_of(pen.session.active_view, 2) if each.ahead and each.order == 1)
+    assert ahead.position == pytest.approx(tip, abs=1.5 * pen.pixel)
 
 
 def test_a_click_with_shift_continues_a_finished_curve(pen):
@@ -346,7 +360,7 @@ def test_a_click_on_the_first_point_closes_a_curve_without_handles_with_a_messag
     pen.choose_family("cubic_spline")
     pen.click(at(pen, 300, 150))
     pen.hover(pen.point(0))
-    assert hint(pen) == "Click to close the curve · Drag to move point 0"
+    assert hint(pen) == "Click to close the curve"
 
 
 @pytest.fixture

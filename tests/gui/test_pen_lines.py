@@ -111,9 +111,8 @@ def test_the_hint_over_the_first_point_mentions_closing(pen):
     for place in PLACES:
         pen.click(at(pen, *place))
     pen.hover(pen.point(0))
-    assert (
-        pen.window.status_line.hint == "Click to close the curve · Alt: straight line · Drag to move point 0"
-    )
+    words = "Click to close the curve · Alt: straight line · Drag to pull out its handle"
+    assert pen.window.status_line.hint == words
 
 
 def test_the_first_point_promises_to_close_only_curves_that_can_be_closed(pen):

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from itertools import pairwise, product
 
+import numpy as np
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
@@ -16,9 +17,9 @@ from PySide6.QtCore import Qt
 from app.document import rule_edits
 from app.document.constraints import is_straight
 from app.document.model import ParametrizationKind
-from app.families import FAMILIES, QUINTIC_HERMITE
+from app.families import FAMILIES, HERMITE, QUINTIC_HERMITE
 from app.view_model.curve.handles import handles_of
-from tests.gui.editor_facts import at
+from tests.gui.editor_facts import at, undo_text
 
 ALT = Qt.KeyboardModifier.AltModifier
 
@@ -27,16 +28,17 @@ PLACES = ((20, -60), (120, -20), (160, 110), (60, 160), (10, 70))
 
 PULLED = (40, 24)
 
+IN_LINE = ((0, 0), (50, 30), (130, 78), (180, 108), (280, 168))
+"""On one line, along which `PULLED` leads."""
+
 SMOOTH, AUTOMATIC, CORNER = "drag", "click", "Alt+click"
 
 
-def draw(pen, kinds, closing=None):
+def draw(pen, kinds, closing=None, places=PLACES):
     """Draw a point of each kind, and close the curve by a click, or by one with Alt."""
-    for (x, y), kind in zip(PLACES, kinds, strict=False):
+    for (x, y), kind in zip(places, kinds, strict=False):
         if kind == SMOOTH:
-            pen.press(at(pen, x, y))
-            pen.move(at(pen, x + PULLED[0], y + PULLED[1]))
-            pen.release(at(pen, x + PULLED[0], y + PULLED[1]))
+            pen.drag(at(pen, x, y), at(pen, x + PULLED[0], y + PULLED[1]))
         else:
             pen.click(at(pen, x, y), keys=ALT if kind == CORNER else Qt.KeyboardModifier.NoModifier)
     if closing is not None:
@@ -96,13 +98,167 @@ def assert_handles(pen, kinds, closing=None):
 
 ALL_KINDS = (SMOOTH, AUTOMATIC, CORNER)
 
+BOTH_FAMILIES = pytest.mark.parametrize("family", [HERMITE, QUINTIC_HERMITE], ids=lambda family: family.name)
 
+
+@BOTH_FAMILIES
 @pytest.mark.parametrize("closing", [None, AUTOMATIC, CORNER])
-def test_three_points_of_all_kinds_in_all_orders(pen, closing):
-    empty = pen.session.document
+def test_three_points_of_all_kinds_in_all_orders(pen, closing, family):
+    begun = rule_edits.set_family(pen.session.document, 0, family)
     for kinds in product(ALL_KINDS, repeat=3):
-        pen.session.commit(empty, "Begin")
+        pen.session.commit(begun, "Begin")
         assert_handles(draw(pen, kinds, closing), kinds, closing)
+
+
+@BOTH_FAMILIES
+@pytest.mark.parametrize("closing", [None, AUTOMATIC, CORNER])
+def test_handles_pulled_in_line_with_their_segments_stay_as_well(pen, closing, family):
+    """A segment of equal velocities along its chord looks straight; what is stored decides."""
+    begun = rule_edits.set_family(pen.session.document, 0, family)
+    for kinds in product((SMOOTH, CORNER), repeat=4):
+        pen.session.commit(begun, "Begin")
+        assert_handles(draw(pen, kinds, closing, IN_LINE), kinds, closing)
+
+
+@BOTH_FAMILIES
+def test_a_pill_keeps_its_eight_handles_and_its_points_move_alone(pen, family):
+    pen.session.commit(rule_edits.set_family(pen.session.document, 0, family), "Begin")
+    corners = ((0, 150, 60), (200, 150, 60), (200, 20, -60), (0, 20, -60))
+    for x, y, far in corners:
+        pen.drag(at(pen, x, y), at(pen, x + far, y))
+    pen.click(pen.point(0))
+
+    def tips():
+        return [
+            {
+                each.ahead: each.position
+                for each in handles_of(pen.session.active_view, index)
+                if each.order == 1
+            }
+            for index in range(4)
+        ]
+
+    for by_side, (x, y, far) in zip(tips(), corners, strict=True):
+        assert by_side[True] == pytest.approx(at(pen, x + far, y), abs=1e-9)
+        assert by_side[False] == pytest.approx(at(pen, x - far, y), abs=1e-9)
+    pen.trigger("selectTool")
+    # A handle leaves the line of its segment, with the mirrored one.
+    pen.click(pen.point(1))
+    pen.drag(at(pen, 260, 150), at(pen, 250, 190))
+    assert tips()[1][True] == pytest.approx(at(pen, 250, 190), abs=1.5 * pen.pixel)
+    assert tips()[1][False] == pytest.approx(at(pen, 150, 110), abs=1.5 * pen.pixel)
+    before = tips()
+    pen.drag(at(pen, 200, 20), at(pen, 230, 0))
+    for index in (0, 1, 3):
+        for ahead in (False, True):
+            assert tips()[index][ahead] == pytest.approx(before[index][ahead], abs=1e-9)
+
+
+@BOTH_FAMILIES
+def test_what_is_drawn_stays_where_it_is_between_points_that_were_pulled(pen, family):
+    pen.session.commit(rule_edits.set_family(pen.session.document, 0, family), "Begin")
+
+    def drawn(count):
+        view = pen.session.active_view
+        t = np.concatenate([np.linspace(*pair, 20) for pair in pairwise(view.parameters[:count])])
+        return view.curve.evaluate(t)
+
+    draw(pen, (SMOOTH, SMOOTH))
+    for count, (x, y) in enumerate(PLACES[2:], start=2):
+        before = drawn(count)
+        pen.drag(at(pen, x, y), at(pen, x + PULLED[0], y + PULLED[1]))
+        assert drawn(count) == pytest.approx(before, abs=1e-9), count
+    before = drawn(5)
+    pen.click(pen.point(0))
+    assert drawn(5) == pytest.approx(before, abs=1e-9)
+
+
+@BOTH_FAMILIES
+@pytest.mark.parametrize("keys", [Qt.KeyboardModifier.NoModifier, ALT])
+@pytest.mark.parametrize("kinds", [(SMOOTH, SMOOTH, AUTOMATIC), (CORNER, SMOOTH, CORNER), (AUTOMATIC,) * 3])
+def test_a_drag_on_the_first_point_closes_and_pulls_its_handle(pen, kinds, keys, family):
+    """A handle that is there ahead of it stays; none is drawn out where none was, but mirrored."""
+    pen.session.commit(rule_edits.set_family(pen.session.document, 0, family), "Begin")
+    draw(pen, kinds)
+    before, steps = pen.session.document, pen.session.undo_stack.count()
+    (x, y), (dx, dy) = PLACES[0], (30, -45)
+    pen.press(pen.point(0))
+    pen.move(at(pen, x + dx, y + dy), keys=keys)
+    assert pen.status.startswith("Close Curve 1, handle at −56")
+    assert "Alt: only the handle behind" in pen.status
+    pen.escape()
+    pen.release(at(pen, x + dx, y + dy))
+    assert pen.session.document == before
+    pen.press(pen.point(0))
+    pen.move(at(pen, x + dx, y + dy), keys=keys)
+    pen.release(at(pen, x + dx, y + dy), keys=keys)
+    assert pen.curve.is_closed
+    assert pen.point(0) == before.curves[0].points[0].position
+    assert (undo_text(pen), pen.session.undo_stack.count()) == ("Close Curve 1", steps + 1)
+    by_side = {each.ahead: each for each in handles_of(pen.session.active_view, 0) if each.order == 1}
+    assert by_side[False].position == pytest.approx(at(pen, x - dx, y - dy), abs=1e-9)
+    first = pen.curve.points[0]
+    if kinds[0] == SMOOTH:
+        assert by_side[True].position == pytest.approx(at(pen, x + PULLED[0], y + PULLED[1]), abs=1e-9)
+    elif kinds[0] == AUTOMATIC and keys != ALT:
+        assert by_side[True].position == pytest.approx(at(pen, x + dx, y + dy), abs=1e-9)
+        assert first.even
+        return
+    assert first.corner
+    assert not first.tied
+
+
+def test_a_click_on_the_first_point_with_an_unsteady_hand_closes(pen):
+    draw(pen, (SMOOTH, SMOOTH, AUTOMATIC))
+    first = pen.point(0)
+    pen.drag(first, (first[0] + 3 * pen.pixel, first[1]))
+    assert pen.curve.is_closed
+    assert pen.point(0) == first
+
+
+@BOTH_FAMILIES
+@pytest.mark.parametrize("kind", [SMOOTH, AUTOMATIC, CORNER])
+def test_backspace_restores_the_curve_as_it_was_before_the_last_point(pen, kind, family):
+    pen.session.commit(rule_edits.set_family(pen.session.document, 0, family), "Begin")
+    for kinds in product(ALL_KINDS, repeat=2):
+        before = []
+        for number, each in enumerate((*kinds, kind)):
+            before.append(pen.curve)
+            (x, y), pulled = PLACES[number], PULLED if each == SMOOTH else (0, 0)
+            keys = ALT if each == CORNER else Qt.KeyboardModifier.NoModifier
+            pen.press(at(pen, x, y), keys=keys)
+            pen.move(at(pen, x + pulled[0], y + pulled[1]), keys=keys)
+            pen.release(at(pen, x + pulled[0], y + pulled[1]), keys=keys)
+        for was in reversed(before):
+            pen.key(Qt.Key.Key_Backspace)
+            assert pen.curve == was, kinds
+
+
+def test_backspace_after_a_point_was_moved_keeps_what_was_changed(pen):
+    draw(pen, (SMOOTH, SMOOTH, AUTOMATIC))
+    moved = at(pen, PLACES[1][0] + 20, PLACES[1][1])
+    pen.drag(pen.point(1), moved)
+    pen.click(pen.point(2))
+    pen.key(Qt.Key.Key_Backspace)
+    assert len(pen.curve.points) == 2
+    assert pen.point(1) == pytest.approx(moved, abs=1.5 * pen.pixel)
+
+
+@pytest.mark.parametrize("key", [Qt.Key.Key_Backspace, Qt.Key.Key_Delete])
+def test_backspace_during_a_drag_of_the_pen_cancels_the_drag_alone(pen, key):
+    draw(pen, (SMOOTH, SMOOTH))
+    before = pen.curve
+    x, y = PLACES[2]
+    pen.press(at(pen, x, y))
+    pen.move(at(pen, x + 30, y))
+    assert len(pen.curve.points) == 3
+    pen.key(key)
+    assert pen.status == "Cancelled."
+    pen.move(at(pen, x + 60, y))
+    pen.release(at(pen, x + 60, y))
+    assert pen.curve == before
+    pen.click(at(pen, x, y))
+    assert len(pen.curve.points) == 3
 
 
 @pytest.mark.parametrize("closing", [AUTOMATIC, CORNER])
@@ -112,8 +268,8 @@ def test_smooth_smooth_corner_corner_smooth_and_closed_is_one_undo_step_each(pen
     assert_handles(pen, kinds)
     drawn = pen.curve
     pen.move(pen.point(0), held=False, keys=ALT if closing == CORNER else Qt.KeyboardModifier.NoModifier)
-    words = "Click to close the curve · Alt: corner by the handle"
-    assert pen.window.status_line.hint.startswith(words)
+    words = "Click to close the curve · Alt: corner by the handle · Drag to pull out its handle"
+    assert pen.window.status_line.hint == words
     shown = pen.window.canvas.marks.preview_curve.source
     pen.click(pen.point(0), keys=ALT if closing == CORNER else Qt.KeyboardModifier.NoModifier)
     assert pen.curve == shown
@@ -201,26 +357,6 @@ def test_a_handle_dragged_later_moves_the_mirrored_one(pen):
     assert by_side[True] == pytest.approx(to, abs=1.5 * pen.pixel)
     middle = [(x + y) / 2 for x, y in zip(by_side[True], by_side[False], strict=True)]
     assert middle == pytest.approx(point.position, abs=1e-9)
-
-
-def test_a_quintic_keeps_its_curvature_and_no_handle_is_lost(pen):
-    """Two velocities would divide its estimated accelerations: it has one, with handles as drawn at most."""
-    begun = rule_edits.set_family(pen.session.document, 0, QUINTIC_HERMITE)
-    for closing in (None, AUTOMATIC, CORNER):
-        pen.session.commit(begun, "Begin")
-        kinds = (SMOOTH, SMOOTH, CORNER, CORNER, SMOOTH)
-        draw(pen, kinds, closing)
-        curve = pen.curve
-        assert not curve.points[1].corner
-        assert is_straight(curve, 2)
-        lengths = [
-            math.dist(each.position, each.anchor) / pen.pixel
-            for each in handles_of(pen.session.active_view, 1)
-            if each.order == 1
-        ]
-        assert max(lengths) == pytest.approx(math.hypot(*PULLED), rel=1e-9)
-        assert curve.points[2].velocity == (0.0, 0.0)
-        assert not is_straight(curve, 1)
 
 
 def test_families_without_velocities_have_plain_points(pen):

@@ -9,7 +9,6 @@ from functools import partial
 from msgspec.structs import replace
 
 from ...document.curve_edits import (
-    delete_last_point,
     locked_message,
     new_curve_like,
     reverse_curve,
@@ -31,8 +30,10 @@ from ...view_model.join import End, joined_by_pen
 from ...view_model.point_kinds import closed_by_corner, with_corner_appended
 from ...view_model.reshape import inserted_index
 from ..add_points import (
+    TAKING_BACK,
     AppendPoint,
     BeginCurve,
+    CloseCurve,
     GoOn,
     InsertPoint,
     JoinEnd,
@@ -55,9 +56,6 @@ from ..pointer import Hint, Hit, Part, Pointer, snap_key_text
 from ..tool import Gesture, GestureRow, Tool, ToolEvent, ToolRecord
 
 _ENTER = "Enter, double click: finish the curve"
-
-_TAKING_BACK = ("backspace", "delete")
-"""Keys that remove the last point."""
 
 
 class AddTool(Tool):
@@ -87,7 +85,7 @@ class AddTool(Tool):
 
     def wants_key(self, event: ToolEvent, key: str) -> bool:
         """Return whether a key removes the last point drawn, and nothing else is selected."""
-        if key not in _TAKING_BACK or not self._pen.has_drawn:
+        if key not in TAKING_BACK or not self._pen.has_drawn:
             return False
         last = len(event.view.source.points) - 1
         return event.session.selected.group in (NO_POINTS, points_of(event.session.active_index, [last]))
@@ -121,7 +119,7 @@ class AddTool(Tool):
 
         if not self._pen.drawn_points(session):
             session.say("There is nothing to remove; a click draws, V selects.", is_hint=True)
-        elif session.change(f"Remove point {last}", lambda document: delete_last_point(document, curve)):
+        elif session.change(f"Remove point {last}", lambda document: self._pen.without_last(document, curve)):
             if last:
                 session.selected.set_points([last - 1])
             removed = f"Removed point {last}." if last else "Removed the curve; a click begins another."
@@ -174,17 +172,21 @@ class AddTool(Tool):
         return hit
 
     def _press_on_part(self, event: ToolEvent, hit: Hit) -> Gesture:
+        session, view = event.session, event.view
         on_click: Callable[[ToolEvent], object] | None = None
-        if self._pen.goes_on_at(hit, event.session):
-            on_click = partial(self._go_on, curve=event.session.active_index, index=hit.index)
-        elif can_end_at(hit, event.view):
+        if self._pen.goes_on_at(hit, session):
+            return self._press_on_end(event, replace(hit, curve=session.active_index))
+        if can_end_at(hit, view):
             on_click = partial(self._close, by_corner=event.pointer.alt)
+            if view.source.family.curve_class.can_close:
+                close = partial(CloseCurve, on_click=on_click)
+                return self._drawn(close, event, session.document, session.active_index, view, 0)
         elif event.pointer.is_double and self._ends_at(hit, event.session):
             on_click = self._finish
         return press_on_part(event, hit, on_click)
 
     def _press_on_end(self, event: ToolEvent, hit: Hit) -> Gesture:
-        """Go on with another curve from the end that is pressed."""
+        """Go on with a curve from the end that is pressed."""
         document, view = event.session.document, event.session.views[hit.curve]
         if hit.index == 0:
             document = reverse_curve(document, hit.curve, view.parameters.tolist())
@@ -285,9 +287,8 @@ class AddTool(Tool):
         self._spot, self._previewed, self._preview = end.position, event.view, None
         name = other.source.display_name
         if not joins:
-            pull = " · Drag to pull out its handle" if other.source.family.derivatives else ""
             start = "" if end.index else " from its first point"
-            return Hint(f"Click to continue “{name}”{start}{pull}", grab=True)
+            return Hint(f"Click to continue “{name}”{start}{_pull_words(other.source)}", grab=True)
         if is_quick(event.view) and is_quick(other):
             try:
                 drag = self._append(event, end)
@@ -359,6 +360,10 @@ def _alt_words(curve: Curve) -> str:
     return "corner by the handle" if has_pulled_handle(curve) else "straight line"
 
 
+def _pull_words(curve: Curve) -> str:
+    return " · Drag to pull out its handle" if curve.family.derivatives else ""
+
+
 def _fresh(event: ToolEvent) -> Curve:
     """Return a new curve like the active one."""
     model = event.session.template_curve
@@ -396,13 +401,13 @@ def _hint_on_part(
     """Return the hint over a point or a handle; `goes_on` where a click continues the curve."""
     if goes_on:
         end = "" if is_end(hit, view) else " from its first point"
-        return Hint(f"Click to continue this curve{end} · Drag to move point {hit.index}", grab=True)
+        return Hint(f"Click to continue this curve{end}{_pull_words(view.source)}", grab=True)
     if can_end_at(hit, view):
         if not view.source.family.curve_class.can_close:
             # A click says why, and which families can.
             return Hint(f"Drag to move point 0 · {view.source.family.subject} cannot be closed", grab=True)
         corner = f" · Alt: {_alt_words(view.source)}" if view.source.family.derivatives else ""
-        return Hint(f"Click to close the curve{corner} · Drag to move point 0", grab=True)
+        return Hint(f"Click to close the curve{corner}{_pull_words(view.source)}", grab=True)
     return hint_on_part(hit, view, dragged, pointer, snaps=snaps)
 
 
@@ -456,7 +461,7 @@ ADD = ToolRecord(
         GestureRow("Enter, double click", "finish the curve"),
         GestureRow("Click an end of any open curve", "continue that curve; while drawing, join with it"),
         GestureRow("Backspace, Delete", "remove the last point"),
-        GestureRow("Click the first point", "close the curve"),
+        GestureRow("Click the first point", "close the curve; drag: pull out its handle"),
         GestureRow("Click beside a closed or finished curve", "begin another curve"),
         *GESTURES,
     ),

@@ -418,7 +418,7 @@ def _signed_spacing(view: CurveView, index: int, *, ahead: bool) -> float:
     """
     h = view.spacing(index, ahead=ahead) or view.spacing(index, ahead=not ahead)
     if h is None:
-        return view.source.parametrization.end - view.source.parametrization.start
+        h = view.source.parametrization.end - view.source.parametrization.start
     return h if ahead else -h
 
 
