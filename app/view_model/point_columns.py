@@ -79,6 +79,8 @@ class Column(msgspec.Struct, frozen=True, kw_only=True):
     derivatives
         The least number of derivatives of a family that shows the column; one that needs some is written with
         as few digits as they are.
+    more_digits
+        Digits beyond those: an angle has three before the point.
     """
 
     name: str
@@ -95,6 +97,7 @@ class Column(msgspec.Struct, frozen=True, kw_only=True):
     order: int | None = None
     component: int = 0
     derivatives: int = 0
+    more_digits: int = 0
 
     @property
     def title(self) -> str:
@@ -369,9 +372,9 @@ def _handle_columns(derivative: Derivative, ahead: bool) -> Iterator[Column]:
     order, side, arrow = derivative.order, ("behind", "ahead")[ahead], "←→"[ahead]
     kind = "handle" if order == 1 else f"{derivative.name} handle"
     prefix = "" if order == 1 else derivative.letter
-    for sign, what, measure, changed, unit in (
-        ("ℓ", "length", _lengths, "length", "on the canvas"),
-        ("∠", "angle", _angles, "degrees", "in degrees, counterclockwise from x"),
+    for sign, what, measure, changed, unit, more_digits in (
+        ("ℓ", "length", _lengths, "length", "on the canvas", 0),
+        ("∠", "angle", _angles, "degrees", "in degrees, counterclockwise from x", 1),
     ):
         yield Column(
             name=f"{prefix}{sign}{arrow}",
@@ -384,13 +387,15 @@ def _handle_columns(derivative: Derivative, ahead: bool) -> Iterator[Column]:
             reset=partial(_reset, order),
             is_of_handle=True,
             derivatives=order,
+            more_digits=more_digits,
         )
 
 
 def _columns_of_derivative(derivative: Derivative) -> Iterator[Column]:
-    yield from (_derivative_column(derivative, component) for component in (0, 1))
+    # Handles that are shown by length and angle are in sight before the velocity.
     for ahead in (False, True):
         yield from _handle_columns(derivative, ahead)
+    yield from (_derivative_column(derivative, component) for component in (0, 1))
 
 
 COLUMNS: Sequence[Column] = (

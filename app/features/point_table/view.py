@@ -201,7 +201,11 @@ class PointTableDelegate(SafeOverrides, QStyledItemDelegate):
     def needed_widths(self, digits: int, of_derivatives: int, metrics: QFontMetrics) -> list[int]:
         """Return the smallest widths of the columns for these digits."""
         return [
-            self._widths.of(numbers.extent, of_derivatives if column.derivatives else digits, metrics)
+            self._widths.of(
+                numbers.extent,
+                (of_derivatives if column.derivatives else digits) + column.more_digits,
+                metrics,
+            )
             for column, numbers in zip(self._model.columns, self._model.numbers_of_columns, strict=True)
         ]
 
