@@ -71,7 +71,7 @@ class ExportChoice:
         options = self.format.options
         values = {option.name: self[option] for option in options}
         values[BY_DPI.name] = self[BY_DPI] if known_unit(unit) else None
-        hidden = list(self.format.hidden(values))
+        hidden = [*self.format.hidden(values), *([] if known_unit(unit) else [TRUE_SIZE])]
         if self[DARK_PAPER] is None and paper is not Paper.THEME:
             hidden.append(TRANSPARENT)
         return tuple(option for option in options if option not in hidden)

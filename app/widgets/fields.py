@@ -49,6 +49,8 @@ class FieldEdit(ClaimsKeys, QLineEdit):
     ----------
     is_pressed_again
         Whether Enter acts each time, even with the same text; otherwise the focus returns to the canvas.
+    is_entered_when_left
+        Whether a click elsewhere enters the text, as in a dialog, where a button follows.
 
     Signals
     -------
@@ -63,7 +65,7 @@ class FieldEdit(ClaimsKeys, QLineEdit):
 
     def __init__(self, name: str, label: str, tip: str) -> None:
         super().__init__()
-        self.is_pressed_again = False
+        self.is_pressed_again = self.is_entered_when_left = False
         named(self, name, label, tip)
         self.setTextMargins(3, 0, 3, 0)
         self._full = self._short = self._entered = ""
@@ -126,7 +128,7 @@ class FieldEdit(ClaimsKeys, QLineEdit):
     def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
         if event.reason() not in PASSING:
-            self.give_up()
+            (self.enter if self.is_entered_when_left else self.give_up)()
 
     def focusNextPrevChild(self, forward: bool) -> bool:
         self._commit()

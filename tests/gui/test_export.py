@@ -420,9 +420,41 @@ def test_an_svg_has_size_scale_and_decimals_as_options(editor, tmp_path, monkeyp
     assert "0.667" in data
     editor.trigger("exportPicture")
     dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
-    assert dialog.form.fields["svg_scale"].widget.text() == "10.0"
+    assert dialog.form.fields["svg_scale"].widget.text() == "10"
     assert dialog.form.fields["decimals"].widget.currentText() == "2"
     dialog.close()
+
+
+@pytest.mark.parametrize("text", ["50 mm", "0", "-5", "1e9", "3 4"])
+def test_a_width_that_is_none_is_refused_and_never_ignored(editor, dialog, text, monkeypatch):
+    """The text stayed without a word, and the file had the size of before."""
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: ("", ""))
+    choose_format(dialog, ".svg")
+    settled(editor, dialog)
+    width, size = dialog.form.fields["svg_width"].widget, dialog.size_label.text()
+    assert not dialog.form.fields["true_size"].widget.isVisible(), "the document has no unit"
+    asked = []
+    dialog.export_requested.connect(asked.append)
+    retype(width, text)
+    assert "Width in pixels: " in dialog.problem.text()
+    assert not dialog.ok.isEnabled()
+    assert width.text() == text
+    QTest.keyClick(width, Qt.Key.Key_Escape)
+    settled(editor, dialog)
+    assert (dialog.problem.isHidden(), width.text(), dialog.size_label.text()) == (True, "automatic", size)
+    # Export pressed at once, without Enter or Tab.
+    width.setFocus()
+    width.selectAll()
+    QTest.keyClicks(width, text)
+    click(dialog.ok)
+    assert (asked, dialog.isVisible(), dialog.problem.isHidden()) == ([], True, False)
+    retype(width, "300")
+    settled(editor, dialog)
+    assert (dialog.problem.isHidden(), width.text(), dialog.size_label.text()[:5]) == (True, "300", "300 ×")
+    width.selectAll()
+    QTest.keyClicks(width, "400")
+    click(dialog.ok)
+    assert [choice.values["svg_width"] for choice in asked] == [400.0]
 
 
 def test_a_circle_that_was_drawn_is_exported_as_a_circle(editor, tmp_path, monkeypatch):

@@ -40,7 +40,7 @@ from ...tasks.task import DelayedCall
 from ...widgets.boxes import column_of, form_of, in_columns, row_of
 from ...widgets.controls import check_box, choice_box
 from ...widgets.fields import FieldEdit, RangedSpinBox
-from ...widgets.number_text import decimal_mark, exact_text
+from ...widgets.number_text import decimal_mark, typed_text
 from .work_dialog import WorkDialog, buttons
 
 if TYPE_CHECKING:
@@ -244,16 +244,13 @@ class ExportForm(QWidget):
         self._show_rows(choice)
 
     def show_document(self, document: Document, *, has_selection: bool) -> None:
-        """Enable true size and the selected curves where the document has them."""
+        """Show true size and enable the selected curves where the document has them."""
         self._unit = unit = known_unit(document.unit)
         self._paper = document.paper
         check = self.fields[TRUE_SIZE.name].widget
         assert isinstance(check, QCheckBox)
-        check.setEnabled(bool(unit))
-        check.setText(f"True size: 1 is 1 {unit}" if unit else "True size")
-        why = f"“{document.unit}” is not a unit of length" if document.unit else "The document has no unit"
-        tip = f"A length of one in the document is 1 {unit} in the file" if unit else why
-        check.setToolTip(tip)
+        check.setText(f"True size: 1 is 1 {unit}")
+        check.setToolTip(f"A length of one in the document is 1 {unit} in the file")
         self._show_extents(has_selection=has_selection)
         self._show_rows(self._choice)
 
@@ -299,10 +296,9 @@ class ExportForm(QWidget):
         except ExpressionError:
             self.changed.emit()  # the dialog asks for the choice and shows the problem
             return
-        if choice != self._choice:
-            self._choice = choice
-            self._show_rows(choice)
-            self.changed.emit()
+        self._choice = choice
+        self._show_rows(choice)
+        self.changed.emit()
 
 
 # Fields
@@ -442,9 +438,11 @@ class RealField(Field[float | None]):
 
     def __init__(self, option: Real, change: Callable[[], object]) -> None:
         self._option, self._value, self._change = option, option.default, change
-        self._automatic = _AUTOMATIC
+        self._automatic, self._problem = _AUTOMATIC, ""
         self.widget = FieldEdit(option.widget, option.title, option.tip)
+        self.widget.is_entered_when_left = True
         self.widget.committed.connect(self._type)
+        self.widget.left.connect(self._forget_problem)
 
     def value(self) -> float | None:
         """Return the value that the widget shows."""
@@ -453,20 +451,30 @@ class RealField(Field[float | None]):
     def show(self, value: float | None) -> None:
         """Show a value."""
         self._value = value
-        self.widget.show_text(self._automatic if value is None else exact_text(value, decimal_mark()))
+        self.widget.show_text(self._automatic if value is None else typed_text(value))
 
     def show_automatic(self, number: float) -> None:
         """Show the number that an automatic value stands for."""
-        self._automatic = f"{_AUTOMATIC} ({exact_text(number, decimal_mark())})"
+        self._automatic = f"{_AUTOMATIC} ({typed_text(number)})"
         self.show(self._value)
 
     def _type(self, text: str) -> None:
         try:
             self.show(self._number(text))
-        except ExpressionError:
+            self._problem = ""
+        except ExpressionError as reason:
+            self._problem = f"{self._option.title}: {reason}"
             self.widget.keep()
-        else:
+        self._change()
+
+    def _forget_problem(self) -> None:
+        if self._problem:
+            self._problem = ""
             self._change()
+
+    def problem(self) -> str:
+        """Return the problem of the typed text."""
+        return self._problem
 
     def _number(self, text: str) -> float | None:
         if self._option.default is None and text.strip().casefold() in ("", _AUTOMATIC, self._automatic):
