@@ -260,7 +260,7 @@ def _searched(start: Mapping[int, CurveView], joints: Sequence[Joint]) -> Matche
     first = bends = _bends(sides, start, curves)
     if refusals := _refusals(joints, bends):
         return Matched(curves, (), refusals)
-    least, is_changed = math.inf, np.zeros(len(joints), dtype=bool)
+    least, is_changed = math.inf, np.array([joint in turns for joint in joints], dtype=bool)
     values = last = origin = np.array([bend.value for bend in first])
     for step in range(_MOST_STEPS):
         if _refusals(joints, bends):
@@ -285,10 +285,8 @@ def _searched(start: Mapping[int, CurveView], joints: Sequence[Joint]) -> Matche
     uneven = [joint for joint, pair in pairs if _refusal(*pair) or _unevenness(*pair) > _MATCHED]
     if uneven:
         return Matched(curves, (), {uneven[0]: _INCOMPATIBLE})
-    changed_joints = [
-        joint for joint, is_new in zip(joints, is_changed, strict=True) if is_new or joint in turns
-    ]
-    return Matched(curves, changed_joints, {}, max(turns.values(), default=0.0))
+    matched_joints = [joint for joint, is_new in zip(joints, is_changed, strict=True) if is_new]
+    return Matched(curves, matched_joints, {}, max(turns.values(), default=0.0))
 
 
 def _in_line(

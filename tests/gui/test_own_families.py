@@ -23,7 +23,7 @@ from app.testing import Editor
 from app.view_model.basis_findings import findings_of
 from curvecore import LagrangeCurve
 from tests.effort import noted_calls
-from tests.gui.family_files import forget_family_files
+from tests.gui.family_files import forget_family_files, stop_following_files
 from tests.waiting import until
 
 POINTS = ((0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5))
@@ -586,7 +586,7 @@ def test_a_file_given_on_the_command_line_is_watched(qtbot, path, save, tried_he
     save(template(path))
     with family_file.families_of_files(FAMILIES, [str(path)]):
         family_files().deleteLater()
-        family_files().forget_all()
+        stop_following_files()
         from app.features.own_families import files
 
         files._files.clear()

@@ -261,16 +261,6 @@ class JointsPanel(FollowsTheme, QWidget):
         self.view.selectionModel().currentChanged.connect(self._show_detail)
         self._show_detail()
 
-    @property
-    def summary(self) -> str:
-        """The sentence above the table."""
-        return self._summary.text()
-
-    @property
-    def rows(self) -> list[JointRow]:
-        """Rows of the table."""
-        return list(self._model.rows)
-
     def render_certificate(self, certificate: Certificate, t_text: Callable[[float, str], str]) -> None:
         """Show a certificate, with parameters written by `t_text`; without joints only its summary."""
         self._t_text = t_text

@@ -93,16 +93,6 @@ class MotionBar(FollowsTheme, QWidget):
 
     # Content
 
-    @property
-    def readout(self) -> str:
-        """Parameter and speed of the dot."""
-        return self._readout.text()
-
-    @property
-    def words(self) -> str:
-        """Sentences about jumps; empty without a comparison."""
-        return "" if self._words.isHidden() else self._words.text()
-
     def set_theme(self, theme: Theme) -> None:
         """Apply the colours of `theme`."""
         self._play.setIcon(icon("pause" if self._is_playing else "play", theme))

@@ -89,22 +89,6 @@ class FamilyFiles(QObject):
             what = f"“{tried.name}”" if isinstance(tried, Path) else f"{tried.message} and"
             self._fail(tried, own_families.trial.FamilyFileError(f"{what} was stopped."))
 
-    def forget_all(self) -> None:
-        """Stop using all files."""
-        self._waiting.clear()
-        if self._trial_task is not None:
-            self._trial_task.close()
-        for watch in self._watches.values():
-            watch.watch(None)
-            watch.deleteLater()
-        if self._watches:
-            own_families.trial.PATIENCE.of_no_window()
-        self._watches.clear()
-        self._contents.clear()
-        self.problems.clear()
-        self.running, self.offered = "", None
-        self.changed.emit()
-
     # Noticing
 
     def _follow(self, path: Path) -> None:
