@@ -140,7 +140,8 @@ def test_a_message_that_could_be_read_gives_way_to_the_hint_when_the_pointer_mov
     pair.release((1.5, 2.0))
     assert pair.status == "Cancelled."
     assert pair.window.status_line.hint == hint
-    monkeypatch.setattr(status_line, "_READ_MS", -1)
+    # At once: Qt rounds so long a timer to seconds, up or down.
+    monkeypatch.setattr(status_line, "_READ_MS", -2000)
     pair.hover((1.52, 2.0))
     assert pair.status == hint
     pair.session.refuse("No.")
