@@ -143,11 +143,8 @@ class BasisPane(FollowsTheme, CentralPane):
         # A layout of the header takes longer than drawing the curve: only when a text changes.
         header_texts = (formulas, note, view.source.family.curve_class.functions)
         if header_texts != self._header_texts:
-            self._header_texts, self._shows_cardinals, self._linearised = (
-                header_texts,
-                shows_cardinals,
-                view.linearised,
-            )
+            self._header_texts, self._shows_cardinals = header_texts, shows_cardinals
+            self._linearised = view.linearised
             self._estimates.setVisible(has_estimates)
             for kind, button in enumerate(self._kinds):
                 button.setVisible(kind < len(formulas) and len(formulas) > 1)
@@ -235,10 +232,8 @@ class BasisPane(FollowsTheme, CentralPane):
 
     def _fit_or_calm(self, fitted: bool) -> None:
         self._is_fitted = fitted
-        if fitted:
-            self._panel.drawing.fit_values()
-        else:
-            self._panel.drawing.calm_values()
+        drawing = self._panel.drawing
+        drawing.fit_values() if fitted else drawing.calm_values()
 
     def _show_extent(self, extent: tuple[float, float] | None) -> None:
         appears_or_goes = (extent is None) != (self._reach is None)
