@@ -44,9 +44,7 @@ class Theme(msgspec.Struct, frozen=True, eq=False):
     curve, ghost, handle : QColor
         The curve, the curve as it was before a change, the lines to the handles.
     accent : QColor
-        Selection, focus and the checked state.
-    accent_text : QColor
-        Words in the accent, on paper.
+        Selection, focus and the checked state; words on paper.
     warning : QColor
         Orange; always shown together with a sign or a word.
     """
@@ -62,7 +60,6 @@ class Theme(msgspec.Struct, frozen=True, eq=False):
     ghost: QColor
     handle: QColor
     accent: QColor
-    accent_text: QColor
     warning: QColor
 
 
@@ -90,7 +87,6 @@ def _theme(name: str, *, surface: str, muted: str, warning: str) -> Theme:
         ghost=mix(foreground, background, 0.32),
         handle=mix(foreground, background, 0.62),
         accent=QColor(ACCENT[name]),
-        accent_text=QColor(ACCENT[name]),
         warning=QColor(warning),
     )
 

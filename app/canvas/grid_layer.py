@@ -253,7 +253,7 @@ class GuidesLayer(Layer):
             top = pixel - _GAP - size.height()
             top = max(min(top if top >= 0 else pixel + _GAP, pixel_map.height - size.height()), 0.0)
             box = QRectF(QPointF(_GAP, top), size)
-        self._halo.write(painter, box, text, self.theme.paper, self.theme.accent_text, 2 * self.scale)
+        self._halo.write(painter, box, text, self.theme.paper, self.theme.accent, 2 * self.scale)
 
 
 def _pixel_of(guide: Guide, pixel_map: PixelMap) -> float:

@@ -259,7 +259,7 @@ class MarksLayer(Layer):
         """Write beside a position, away from the points that are edited."""
         gap, size = _READOUT_GAP * self.scale, size_of(painter, text)
         plate = self.readout_rect = beyond(position, directions, gap, size, pixel_map)
-        write_on_plate(painter, plate, text, self.theme.paper, self.theme.accent_text)
+        write_on_plate(painter, plate, text, self.theme.paper, self.theme.accent)
 
     def _paint_label(
         self, painter: QPainter, pixel_map: PixelMap, pixel: QPointF, text: str, surroundings: Surroundings
@@ -268,7 +268,7 @@ class MarksLayer(Layer):
         size, gap = size_of(painter, text), (_LABEL_GAP[0] * self.scale, _LABEL_GAP[1] * self.scale)
         self.snap_label_rect = free_corner(pixel, size, gap, surroundings, pixel_map)
         theme = self.theme
-        self._halo.write(painter, self.snap_label_rect, text, theme.paper, theme.accent_text, 2 * self.scale)
+        self._halo.write(painter, self.snap_label_rect, text, theme.paper, theme.accent, 2 * self.scale)
 
 
 def _rectangle(pixel_map: PixelMap, a: Vector, b: Vector) -> QRectF:

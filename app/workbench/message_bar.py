@@ -83,14 +83,9 @@ class SentenceBar(OverlayFrame):
         self.hide()
         self.closed.emit(self.sentence.text())
 
-    @property
-    def sentence_width(self) -> int:
-        """Width of the sentence on one line, with icon and gaps."""
-        return self.sentence.fontMetrics().horizontalAdvance(self.sentence.text()) + _AROUND_SENTENCE
-
     def place_buttons(self, room: int) -> int:
         """Put the buttons beside the sentence where they fit, else below; return the preferred width."""
-        sentence = self.sentence_width
+        sentence = self.sentence.fontMetrics().horizontalAdvance(self.sentence.text()) + _AROUND_SENTENCE
         buttons = sum(button.sizeHint().width() + GAP for button in self._buttons if not button.isHidden())
         is_one_row = sentence + buttons <= room
         across, down = QBoxLayout.Direction.LeftToRight, QBoxLayout.Direction.TopToBottom

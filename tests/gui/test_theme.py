@@ -119,7 +119,7 @@ def test_marks_are_visible_on_the_paper(theme):
     marks = [theme.accent, theme.handle, theme.warning]
     for mark in marks:
         assert contrast(mark, theme.paper) >= 3.0, mark.name()
-    for words in (theme.accent_text, theme.muted, theme.ink):
+    for words in (theme.accent, theme.muted, theme.ink):
         assert contrast(words, theme.paper) >= 4.5, words.name()
 
 
