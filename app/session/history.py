@@ -55,7 +55,7 @@ class HistoryState(msgspec.Struct, frozen=True):
         Before a step, all that was selected: undo restores it where curves of it return, or where the curves
         selected since are removed. None after the step.
     scroll
-        The visible part of the plane, and that at the other end of the step: a drag that has scrolled it.
+        The visible part of the plane, and that at the other end of a step that has changed it.
     """
 
     document: Document
@@ -95,6 +95,11 @@ class UndoStep(SafeOverrides, QUndoCommand):
         # There and back again is no step.
         self.setObsolete(self._after == replace(self._before, selection=None))
         return True
+
+    def note_scroll(self, scroll: Scroll) -> None:
+        """Record the parts of the plane to return to."""
+        self._before = replace(self._before, scroll=scroll)
+        self._after = replace(self._after, scroll=scroll[::-1])
 
     def redo(self) -> None:
         """Bring back the state after the step; called by Qt, also when it is pushed."""
@@ -143,6 +148,12 @@ class History:
         # Where the change has taken its run back, the last step is another one.
         is_there = self.stack.index() >= steps
         self._run = (run, self.clock()) if run is not None and is_there else None
+
+    def note_scroll(self, scroll: Scroll) -> None:
+        """Record the parts of the plane that undo and redo of the last step return to."""
+        step = self.stack.command(self.stack.index() - 1)
+        if isinstance(step, UndoStep):
+            step.note_scroll(scroll)
 
     def _goes_on(self, run: Hashable) -> bool:
         """Whether a change of this run follows the last one closely enough to be the same step."""

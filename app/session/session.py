@@ -100,7 +100,7 @@ class SessionSignals(QObject):
     history_changed
         There is another step to undo or redo.
     ranges_returned
-        Undo or redo of a drag that has scrolled the view: the ranges of x and y to show, and those that it
+        Undo or redo of a step that has changed the view: the ranges of x and y to show, and those that it
         has left visible.
     gesture_ended
         No gesture is in flight any more: it has become a step, or another change, undo, another active curve
@@ -471,8 +471,9 @@ class Session(SessionSignals):
                 self.selected.begin_opened()
             elif not self.history.is_pushing:
                 self.selected.select_returned(before, state.selection)
-                if state.scroll != NO_SCROLL:
-                    self.ranges_returned.emit(*state.scroll)
+        # The view moves once it shows the document: a move asks what is below the pointer.
+        if not is_other and not self.history.is_pushing and state.scroll != NO_SCROLL:
+            self.ranges_returned.emit(*state.scroll)
         if is_other and not self.history.is_pushing:
             self.file_changed.emit()
             self.opened.emit()

@@ -42,21 +42,21 @@ GESTURES = (
 
 
 def press_on_part(event: ToolEvent, hit: Hit, on_click: Click | None = None) -> Gesture:
-    """Start to drag the point or the handle that was hit, of the active curve; `on_click` is of a point.
+    """Start to drag the point or the handle that was hit, of the active curve; `on_click` is a click.
 
     Where it was of another edited curve, the Select tool has made that the active one (`activate_pressed`).
     """
     if hit.part is not Part.POINT:
-        return press_on_handle(event, hit)
+        return press_on_handle(event, hit, on_click)
     if event.pointer.alt and event.view.source.family.derivatives:
         return pull_velocity(event, hit, on_click)
     return press_on_point(event, hit, on_click)
 
 
-def press_on_handle(event: ToolEvent, hit: Hit) -> Gesture:
+def press_on_handle(event: ToolEvent, hit: Hit, on_click: Click | None = None) -> Gesture:
     """Start to drag a handle. A click does nothing to it: it selects the point below, if there is one."""
     session, pointer = event.session, event.pointer
-    on_click = selecting(event, hit.over) if hit.over >= 0 else None
+    on_click = selecting(event, hit.over) if hit.over >= 0 else on_click
     if pointer.ctrl and not (pointer.shift or pointer.alt) and hit.order == 1:
         on_click = partial(_retract, hit=hit)
     drag = DragHandle(

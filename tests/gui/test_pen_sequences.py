@@ -121,6 +121,28 @@ def test_handles_pulled_in_line_with_their_segments_stay_as_well(pen, closing, f
 
 
 @BOTH_FAMILIES
+@pytest.mark.parametrize("keys", [Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.AltModifier])
+def test_a_click_on_the_tip_of_the_handle_just_pulled_adds_a_point(pen, family, keys):
+    """Within some 8 pixels of the tip nothing was added; a drag there moves the handle as before."""
+    pen.session.commit(rule_edits.set_family(pen.session.document, 0, family), "Begin")
+    pen.drag(at(pen, 0, 0), at(pen, 60, 0))
+    pen.hover(at(pen, 64, 2))
+    assert pen.status.startswith("Click to add point 1 · Drag to move the handle")
+    pen.drag(at(pen, 64, 2), at(pen, 64, 40))
+    assert len(pen.curve.points) == 1
+    pen.trigger("undo")
+    pen.click(at(pen, 64, 2), keys=keys)
+    assert len(pen.curve.points) == 2
+    assert pen.point(1) == pytest.approx(at(pen, 64, 2), abs=pen.pixel)
+    assert pen.curve.points[1].corner is (keys is Qt.KeyboardModifier.AltModifier)
+    pen.click(at(pen, 200, 90))
+    assert len(pen.curve.points) == 3, "the pen goes on"
+    pen.trigger("undo")
+    pen.trigger("undo")
+    assert len(pen.curve.points) == 1
+
+
+@BOTH_FAMILIES
 def test_a_pill_keeps_its_eight_handles_and_its_points_move_alone(pen, family):
     pen.session.commit(rule_edits.set_family(pen.session.document, 0, family), "Begin")
     corners = ((0, 150, 60), (200, 150, 60), (200, 20, -60), (0, 20, -60))

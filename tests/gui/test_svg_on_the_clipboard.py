@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from xml.etree import ElementTree
 
+import numpy as np
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import QMimeData, Qt
@@ -295,6 +296,7 @@ def test_pasted_path_data_are_seen_whole_with_their_numbers(editor, size, is_bla
     editor.settle()
     canvas.setFocus()
     editor.hover((1.0, 1.0))
+    before = canvas.camera.ranges
     editor.paste_text(f"M0 0C{size / 3} 0 {size} {size / 2} {size} {size}L0 {size}")
     paste(editor)
     editor.settle()
@@ -308,8 +310,29 @@ def test_pasted_path_data_are_seen_whole_with_their_numbers(editor, size, is_bla
     left, bottom, right, top = canvas.pixel_map.box
     assert max(size / (right - left), size / (top - bottom)) > 0.3
     assert editor.status == "Pasted “Path”; it is selected. The view was changed to show all of it."
+    after = canvas.camera.ranges
     editor.trigger("undo")
     assert "Path" not in [curve.name for curve in editor.session.document.curves]
+    assert np.array(canvas.camera.ranges) == pytest.approx(np.array(before), rel=1e-9), "the view comes back"
+    editor.trigger("redo")
+    assert np.array(canvas.camera.ranges) == pytest.approx(np.array(after), rel=1e-9)
+
+
+def test_undo_of_pasted_points_brings_the_view_back_unless_it_was_moved(editor):
+    canvas = editor.window.canvas
+    canvas.setFocus()
+    for is_moved in (False, True):
+        before = canvas.camera.ranges
+        editor.paste_text("100 200\n300 -500")
+        paste(editor)
+        editor.settle()
+        assert canvas.framing.shows_all_points
+        if is_moved:
+            editor.trigger("zoomIn")
+        shown = canvas.camera.ranges
+        editor.trigger("undo")
+        wanted = shown if is_moved else before
+        assert np.array(canvas.camera.ranges) == pytest.approx(np.array(wanted), rel=1e-9)
 
 
 def test_pasted_path_data_that_are_seen_whole_do_not_move_the_view(three):

@@ -186,7 +186,7 @@ class PasteCommands:
         box = box_of([session.views[index] for index in indices])
         is_speck = box is None or (box.high - box.low).max() < _SPECK * canvas.camera.pixel_size
         if fits and (is_speck or not is_visible):
-            self._context.actions["fitSelection"].trigger()
+            self._fit("fitSelection")
             message = f"{message} The view was changed to show all of {it}."
         elif not is_visible:
             # The view does not move while somebody works in it.
@@ -235,7 +235,14 @@ class PasteCommands:
     def _show_points(self) -> None:
         """Fit the view if pasted points lie outside it."""
         if not self._context.central.canvas.framing.shows_all_points:
-            self._context.actions["fitView"].trigger()
+            self._fit("fitView")
+
+    def _fit(self, action: str) -> None:
+        """Fit the view; undo of the paste brings it back."""
+        camera = self._context.central.canvas.camera
+        before = camera.ranges
+        self._context.actions[action].trigger()
+        self._session.history.note_scroll((before, camera.ranges))
 
 
 def _import_result(decoded: Decoded, _report: Report) -> ImportResult:

@@ -183,7 +183,20 @@ class AddTool(Tool):
                 return self._drawn(close, event, session.document, session.active_index, view, 0)
         elif event.pointer.is_double and self._ends_at(hit, event.session):
             on_click = self._finish
+        elif self._is_tip(hit, event):
+            on_click = partial(self._add, event)
         return press_on_part(event, hit, on_click)
+
+    def _is_tip(self, hit: Hit, event: ToolEvent) -> bool:
+        """Return whether the handle ahead of the last point is hit, and a click there adds a point."""
+        is_last = hit.index == len(event.view.source.points) - 1 and not event.view.source.is_closed
+        return hit.part is Part.HANDLE and is_last and hit.ahead and self._pen.is_drawn(event.session)
+
+    def _add(self, press: ToolEvent, release: ToolEvent) -> None:
+        """Add the point of a click."""
+        drag = self._append(press)
+        drag.move(release)
+        drag.release(release)
 
     def _press_on_end(self, event: ToolEvent, hit: Hit) -> Gesture:
         """Go on with a curve from the end that is pressed."""
@@ -277,6 +290,8 @@ class AddTool(Tool):
             act, goes_on = act or PenAct.APPEND, not _begins_anew(event.session)
             return _hint_beside(act, view, _fresh(event), snaps=snaps, goes_on=goes_on)
         pointer = event.pointer
+        if self._is_tip(part, event):
+            return Hint(f"Click to add point {len(view.source.points)} · Drag to move the handle", grab=True)
         dragged, goes_on = label_of_moved(event, part), self._pen.goes_on_at(part, event.session)
         return _hint_on_part(part, view, dragged, pointer, snaps=snaps, goes_on=goes_on)
 
