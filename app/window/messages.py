@@ -37,6 +37,8 @@ class Messages(QObject):
         self._offered: tuple[str, Sequence[QAction]] | None = None
         self._bar.closed.connect(self._dismiss)
         self._session.gesture_ended.connect(self._reset_offer)
+        # Remarks about the last file go.
+        context.work.jobs.begun.connect(lambda: self.render(self._session.active_view))
         self._session.opened.connect(self._begin_anew)
         self._session.history_changed.connect(self._reset_greeting)
 

@@ -425,6 +425,33 @@ def test_an_svg_has_size_scale_and_decimals_as_options(editor, tmp_path, monkeyp
     dialog.close()
 
 
+def test_a_remark_about_a_file_goes_with_the_next_export_and_with_a_new_document(
+    editor, tmp_path, monkeypatch
+):
+    """A remark about the curvature in a table stood through the next export and into a new document."""
+    points = [(0.0, 0.0), (1.0, 1.0), (3.0, 0.0)]
+    curves = (make_curve(points), replace(make_curve(points, name="Twice"), visible=False))
+    editor.session.change("Draw", lambda _: Document(curves))
+
+    def exported(ending):
+        editor.trigger("exportPicture")
+        dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
+        choose_format(dialog, ending)
+        export(editor, dialog, tmp_path / f"a{ending}", monkeypatch)
+        QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+    exported(".points.csv")
+    assert "“Twice” is hidden" in editor.message
+    exported(".svg")
+    assert editor.message == ""
+    exported(".points.csv")
+    assert "“Twice” is hidden" in editor.message
+    editor.session.files.give_up_changes()
+    editor.trigger("newDocument")
+    editor.settle()
+    assert "Twice" not in editor.message
+
+
 @pytest.mark.parametrize("text", ["50 mm", "0", "-5", "1e9", "3 4"])
 def test_a_width_that_is_none_is_refused_and_never_ignored(editor, dialog, text, monkeypatch):
     """The text stayed without a word, and the file had the size of before."""
