@@ -104,11 +104,10 @@ def with_smooth_points(view: CurveView, indices: Collection[int]) -> Curve:
 def with_symmetric_points(view: CurveView, indices: Collection[int]) -> Curve:
     """Return the curve with handles that mirror each other at these points.
 
-    On segments of one length in t a point has one velocity, the mean of the two, and one of each further
-    derivative. Between segments of different lengths that would be handles of different lengths: there the
-    handles are the mean of the two, and so are the derivatives per unit of a segment, which keeps the
-    curvature continuous. Where handles cancel each other, they turn to one direction first. Ends of an open
-    curve are left out.
+    One velocity would be handles of different lengths as soon as the segments beside the point have
+    different lengths in t. So the handles are the mean of the two, tied and even, and so are the derivatives
+    per unit of a segment, which keeps the curvature continuous. Where handles cancel each other, they turn
+    to one direction first. Ends of an open curve are left out.
 
     Raises
     ------
@@ -118,11 +117,9 @@ def with_symmetric_points(view: CurveView, indices: Collection[int]) -> Curve:
     points, changed = list(view.source.points), []
     for index in _inner(view, indices, "it has one handle", ONE_SIDED):
         point, lengths = points[index], _lengths_beside(view, index)
+        points[index] = _symmetric(view, index, lengths)
         if point.corner or not math.isclose(*lengths):
-            points[index] = _symmetric(view, index, lengths)
             changed.append(index)
-        else:
-            points[index] = replace(point, velocity=_velocity(view, index, ahead=True))
     return _with_estimates_kept(view, replace(view.source, points=tuple(points)), turned=bool(changed))
 
 
@@ -143,9 +140,7 @@ def _symmetric(view: CurveView, index: int, lengths: tuple[float, float]) -> Poi
     mean, position = (scales[0] * before + scales[1] * after) / 2, np.zeros((1, 2))
     sides = Sides(*(np.vstack([position, mean / scale])[None] for scale in scales))
     point = view.source.points[index].without_corner()
-    if not math.isclose(*lengths):
-        point = replace(point.as_corner(), tied=True, even=True)
-    return with_jets(point, sides, 0)
+    return with_jets(replace(point.as_corner(), tied=True, even=True), sides, 0)
 
 
 def with_estimated_points(view: CurveView, indices: Collection[int]) -> Curve:

@@ -503,13 +503,15 @@ def test_a_cusp_is_a_visible_corner():
 
 
 @each_row("family", WITH_VELOCITIES)
-def test_symmetric_points_between_equal_segments_have_one_velocity(family):
+def test_symmetric_points_between_equal_segments_keep_the_shape_and_stay_symmetric(family):
     before = view(family, points=[(0, 0), (1, 2), (2, 0), (3, 2), (4, 0)], manual=False)
     for start in (before, view_of(with_corners(before, [2]))):
         symmetric = view_of(with_symmetric_points(start, [2]))
-        assert not symmetric.source.points[2].corner
+        assert symmetric.source.points[2].even
         assert symmetric.source.points[2].velocity == pytest.approx(before.velocity_of(2))
         assert distance(before, symmetric) < ROUNDING
+        moved = view_of(point_edits.move_points(Document((symmetric.source,)), 0, [3], (0.4, 1.5)).curves[0])
+        assert are_mirrored(moved, 2)
 
 
 def test_symmetric_handles_that_cancel_each_other_get_one_direction():
