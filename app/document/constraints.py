@@ -214,8 +214,7 @@ def tie(point: Point, before: Vector, after: Vector, h: tuple[float, float] = (1
         before = turned_along(before, after)
     else:
         after = turned_along(after, before)
-    cornered = point if point.corner else point.as_corner()
-    return replace(cornered, tied=True, velocity=before, velocity_after=after)
+    return replace(point.as_corner(), tied=True, velocity=before, velocity_after=after)
 
 
 def tie_if_parallel(point: Point) -> Point:

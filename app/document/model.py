@@ -131,8 +131,9 @@ class Point(Value, frozen=True, gc=False):
         return before, getattr(self, derivative.after) if self.corner else before
 
     def as_corner(self) -> Point:
-        """Return the point as a corner with the same derivatives on both sides."""
-        return replace(self, corner=True, **{row.after: getattr(self, row.name) for row in DERIVATIVES})
+        """Return the point as a corner; one that was none has the same derivatives on both sides."""
+        after = {row.after: self.explicit_sides(row.order)[1] for row in DERIVATIVES}
+        return replace(self, corner=True, **after)
 
     def without_corner(self) -> Point:
         """Return the point with the derivatives before it on both sides."""

@@ -204,10 +204,8 @@ def make_corner(
     even: bool = False,
 ) -> Document:
     """Make point `index` a corner with these velocities (None: estimated); tied where it is to be `even`."""
-    point = document.curves[curve].points[index]
-    point = point if point.corner else point.as_corner()
-    for vector in filter(None, (before, after)):
-        checked_vector(vector, f"the velocity of point {index}")
+    point, what = document.curves[curve].points[index].as_corner(), f"the velocity of point {index}"
+    before, after = (vector and checked_vector(vector, what) for vector in (before, after))
     corner = replace(point, velocity=before, velocity_after=after, tied=even, even=even)
     return _with_point(document, curve, index, corner)
 

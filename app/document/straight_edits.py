@@ -72,7 +72,7 @@ def _as_corner(curve: Curve, index: int, segments: Collection[int]) -> Point:
     point, behind = replace(curve.points[index], even=False), (index - 1) % len(curve.points)
     if all(segment in segments or is_straight(curve, segment) for segment in (behind, index)):
         point = untie(point)
-    return point if point.corner else point.as_corner()
+    return point.as_corner()
 
 
 def _along_chord(curve: Curve, segment: int, parameters: Sequence[float]) -> list[JetValue]:

@@ -10,7 +10,7 @@ from msgspec.structs import replace
 
 from ..document import point_edits, words
 from ..document.curve_edits import delete_last_point, replace_curve
-from ..document.model import Curve, Document, Point, Vector
+from ..document.model import Document, Point, Vector
 from ..document.point_group import points_of
 from ..document.selection import SelectionState
 from ..document.several_curves import remove_curves
@@ -39,6 +39,11 @@ class PenSession:
     """Curves that are finished, and those drawn since the pen was activated.
 
     Curves are known by their indices and names.
+
+    Attributes
+    ----------
+    before
+        The points of curves as they were before the last of them was drawn, by the points since.
     """
 
     def __init__(self) -> None:
@@ -46,8 +51,7 @@ class PenSession:
         self._finished: dict[CurveKey, int] = {}
         # How many points each had when the pen began to draw it.
         self._drawn: dict[CurveKey, int] = {}
-        # The points as they were before the last of them was drawn.
-        self._before: dict[tuple[Point, ...], tuple[Point, ...]] = {}
+        self.before: dict[tuple[Point, ...], tuple[Point, ...]] = {}
 
     def reset(self) -> None:
         """Forget everything; another document is open."""
@@ -57,7 +61,7 @@ class PenSession:
     def begin(self) -> None:
         """Forget which curves are drawn: the pen is activated."""
         self._drawn.clear()
-        self._before.clear()
+        self.before.clear()
 
     @property
     def has_drawn(self) -> bool:
@@ -102,13 +106,9 @@ class PenSession:
         Where they have been changed since, it is deleted.
         """
         source = document.curves[curve]
-        if before := self._before.get(source.points):
+        if before := self.before.get(source.points):
             return document.with_curve(curve, replace(source, points=before))
         return delete_last_point(document, curve)
-
-    def note_last(self, before: Curve, after: Curve) -> None:
-        """Note how the points of a curve were before the last one was drawn."""
-        self._before[after.points] = before.points
 
     def drawn_points(self, session: EditingSession) -> int:
         """Return the number of points at the end of the active curve that the pen has drawn."""
@@ -310,7 +310,7 @@ class AppendPoint(Drag, kw_only=True):
     def committed(self, event: ToolEvent) -> None:
         """Note that the pen draws the curve; not before: Escape leaves a finished curve finished."""
         self.pen.draw(self.key_of_curve, self._index)
-        self.pen.note_last(self.view.source, event.session.document.curves[self.curve])
+        self.pen.before[event.session.document.curves[self.curve].points] = self.view.source.points
         super().committed(event)
 
 

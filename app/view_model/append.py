@@ -199,9 +199,8 @@ def with_handles_pulled(
         after = derivative_of_offset(view, index, 1, ahead, ahead=True)
     document = make_corner(document, curve, index, before, after, even=behind == ahead)
     source = document.curves[curve]
-    points = list(source.points)
-    points[index] = tied_to_straight_segment(source, index)
-    return document.with_curve(curve, replace(source, points=tuple(points)))
+    points = (*source.points[:index], tied_to_straight_segment(source, index), *source.points[index + 1 :])
+    return document.with_curve(curve, replace(source, points=points))
 
 
 def _with_handles_as_drawn(

@@ -69,9 +69,7 @@ def with_corners(view: CurveView, indices: Collection[int]) -> Curve:
     points = view.source.points
     inner = _inner(view, indices, "a corner needs a segment on both sides", NO_CORNERS)
     new = [index for index in inner if not points[index].corner or points[index].tied]
-    cornered = {
-        index: untie(points[index]) if points[index].corner else points[index].as_corner() for index in new
-    }
+    cornered = {index: untie(points[index].as_corner()) for index in new}
     return _written_down(view, cornered)
 
 
@@ -304,8 +302,7 @@ def closed_by_corner(document: Document, curve: int, view: CurveView) -> Documen
 def _with_clicked_corner(document: Document, curve: int, index: int) -> Document:
     """Return the document with a corner at a point, without a handle behind it; the one ahead stays."""
     source = document.curves[curve]
-    point = source.points[index]
-    point = untie(point if point.corner else point.as_corner())
+    point = untie(source.points[index].as_corner())
     point = replace(point, **dict.fromkeys(row.name for row in DERIVATIVES))
     points = (*source.points[:index], point, *source.points[index + 1 :])
     return document.with_curve(curve, replace(source, points=points))

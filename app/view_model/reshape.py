@@ -223,7 +223,7 @@ def _tied_as(before: Point | None, point: Point) -> Point:
     """Return a point with its velocities tied where they were before and are still parallel."""
     if before is None or not before.tied:
         return point
-    again = tie_if_parallel(point if point.corner else point.as_corner())
+    again = tie_if_parallel(point.as_corner())
     return again if again.tied else point
 
 

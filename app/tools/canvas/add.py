@@ -173,15 +173,16 @@ class AddTool(Tool):
 
     def _press_on_part(self, event: ToolEvent, hit: Hit) -> Gesture:
         session, view = event.session, event.view
-        on_click: Callable[[ToolEvent], object] | None = None
         if self._pen.goes_on_at(hit, session):
             return self._press_on_end(event, replace(hit, curve=session.active_index))
         if can_end_at(hit, view):
-            on_click = partial(self._close, by_corner=event.pointer.alt)
-            if view.source.family.curve_class.can_close:
-                close = partial(CloseCurve, on_click=on_click)
-                return self._drawn(close, event, session.document, session.active_index, view, 0)
-        elif event.pointer.is_double and self._ends_at(hit, event.session):
+            close = partial(self._close, by_corner=event.pointer.alt)
+            if not view.source.family.curve_class.can_close:
+                return press_on_part(event, hit, close)
+            kind = partial(CloseCurve, on_click=close)
+            return self._drawn(kind, event, session.document, session.active_index, view, 0)
+        on_click: Callable[[ToolEvent], object] | None = None
+        if event.pointer.is_double and self._ends_at(hit, session):
             on_click = self._finish
         elif self._is_tip(hit, event):
             on_click = partial(self._add, event)
