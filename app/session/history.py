@@ -96,11 +96,6 @@ class UndoStep(SafeOverrides, QUndoCommand):
         self.setObsolete(self._after == replace(self._before, selection=None))
         return True
 
-    def note_scroll(self, scroll: Scroll) -> None:
-        """Record the parts of the plane to return to."""
-        self._before = replace(self._before, scroll=scroll)
-        self._after = replace(self._after, scroll=scroll[::-1])
-
     def redo(self) -> None:
         """Bring back the state after the step; called by Qt, also when it is pushed."""
         self._restore(self._after)
@@ -153,7 +148,8 @@ class History:
         """Record the parts of the plane that undo and redo of the last step return to."""
         step = self.stack.command(self.stack.index() - 1)
         if isinstance(step, UndoStep):
-            step.note_scroll(scroll)
+            step._before = replace(step._before, scroll=scroll)
+            step._after = replace(step._after, scroll=scroll[::-1])
 
     def _goes_on(self, run: Hashable) -> bool:
         """Whether a change of this run follows the last one closely enough to be the same step."""
