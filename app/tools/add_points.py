@@ -246,7 +246,7 @@ class AppendPoint(Drag, kw_only=True):
     def document_at(self, pointer: Pointer) -> Document:
         """Return the document with the new point, its handle drawn out to the pointer."""
         index = self._index
-        document = self._with_point(self._position(pointer))
+        document = self.append(self.document, self.curve, self.view, self._position(pointer))
         if not self._sets_velocity(pointer):
             return document
         ahead = self._pulled(pointer)
@@ -254,15 +254,12 @@ class AppendPoint(Drag, kw_only=True):
         document = with_handles_pulled(document, self.curve, index, behind, ahead)
         return with_bare_corner(document, self.curve, index - 1) if index else document
 
-    def _with_point(self, position: Vector) -> Document:
-        return self.append(self.document, self.curve, self.view, position)
-
     @property
     def _index(self) -> int:
         return len(self.view.source.points)
 
     def _position(self, pointer: Pointer) -> Vector:
-        moves = self._is_dragged(pointer) and not self._sets_velocity(pointer)
+        moves = _is_away(pointer, self.press) and not self._sets_velocity(pointer)
         at = pointer if moves else self.press
         stepped = position_in_steps(self.view, at)
         if stepped is None:
@@ -270,11 +267,8 @@ class AppendPoint(Drag, kw_only=True):
         self.snapper.reset()
         return stepped
 
-    def _is_dragged(self, pointer: Pointer) -> bool:
-        return _is_away(pointer, self.press)
-
     def _sets_velocity(self, pointer: Pointer) -> bool:
-        return self._is_dragged(pointer) and self.view.source.family.derivatives > 0
+        return _is_away(pointer, self.press) and self.view.source.family.derivatives > 0
 
     def _pulled(self, pointer: Pointer) -> Vector:
         """Return the offset to which the handle is pulled out: with Ctrl or Shift in steps of 15°."""
@@ -448,7 +442,7 @@ class InsertPoint(Drag, kw_only=True, dict=True):
     def document_at(self, pointer: Pointer) -> Document:
         """Return the document with the new point; dragged off the curve it takes its handles along."""
         document = replace_curve(self.document, self.curve, self._on_curve.curve)
-        if self._is_on_curve(pointer):
+        if not _is_away(pointer, self.press):
             return document
         position = self.snapper.at(pointer)
         if not self.view.source.family.interpolates:
@@ -456,9 +450,6 @@ class InsertPoint(Drag, kw_only=True, dict=True):
             offset = (position[0] - self.hit.position[0], position[1] - self.hit.position[1])
             position = plus(self._on_curve.curve.points[self.hit.index].position, offset)
         return point_edits.set_position(document, self.curve, self.hit.index, position)
-
-    def _is_on_curve(self, pointer: Pointer) -> bool:
-        return not _is_away(pointer, self.press)
 
     @cached_property
     def _on_curve(self) -> Reshaped:
@@ -471,7 +462,7 @@ class InsertPoint(Drag, kw_only=True, dict=True):
 
     def amount(self, pointer: Pointer) -> str:
         """Return the position of the new point, or its parameter on the curve."""
-        if self._is_on_curve(pointer):
+        if not _is_away(pointer, self.press):
             return f"{self.undo_text(pointer)} at t = {self.view.t_text(self.hit.t)}"
         return f"{self.undo_text(pointer)} at {words.pair_text(self.snapper.at(pointer), pointer.pixel_size)}"
 
