@@ -54,6 +54,9 @@ _FLAT = 1e-12
 _MEET = 1e-9
 """Distance, relative to the size of two curves, up to which two ends are one point."""
 
+MOST_JOINTS = 60
+"""Joints that are matched at once: all affect each other, and more take longer than a window may wait."""
+
 _LEAST_STEPS, _MOST_STEPS = 20, 50
 """Steps to the least change, and all steps, after which joints count as incompatible."""
 

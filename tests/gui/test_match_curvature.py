@@ -16,6 +16,7 @@ from app.document.derivatives import VelocityRule
 from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
 from app.families import FAMILIES, HERMITE, QUINTIC_HERMITE
 from app.view_model.curve.curve_view import view_of
+from app.view_model.match_curvature import MOST_JOINTS
 from app.view_model.point_kinds import SMOOTH, kind_at, with_corners, with_smooth_points
 from tests.exact_pieces import curvature_at, pieces_of
 
@@ -331,6 +332,12 @@ def test_what_is_continuous_already_stays(editor):
     begin(editor, make_curve(WAVE, family=HERMITE))
     assert refused(editor, 1, 2) == "The curvature is continuous already at points 1 and 2."
     assert refused(editor, 0) == "Select smooth points, ends that meet, or curves whose ends meet."
+
+
+def test_more_points_than_can_be_matched_at_once_are_refused(editor):
+    """300 points of a jagged curve took minutes, and the window stood still."""
+    begin(editor, make_curve([(i, i % 3) for i in range(MOST_JOINTS + 3)], family=HERMITE))
+    assert refused(editor, *range(MOST_JOINTS + 3)).startswith("Select at most 60 points")
 
 
 def test_points_that_can_are_matched_and_the_others_are_named(editor):

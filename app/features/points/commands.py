@@ -159,6 +159,8 @@ class TangentCommands(CommandSet):
         )
         if not joints:
             raise EditError("Select smooth points, ends that meet, or curves whose ends meet.")
+        if len(joints) > (most := view_model.match_curvature.MOST_JOINTS):
+            raise EditError(f"Select at most {most} points: their curvatures are matched together.")
         result = view_model.match_curvature.matched(views, joints)
         refused = result.refusals
         by_reason = {why: [joint for joint in refused if refused[joint] == why] for why in refused.values()}
