@@ -291,14 +291,10 @@ class ExportForm(QWidget):
         return choice
 
     def _change(self) -> None:
-        try:
-            choice = self.choice()
-        except ExpressionError:
-            self.changed.emit()  # the dialog asks for the choice and shows the problem
-            return
-        self._choice = choice
-        self._show_rows(choice)
-        self.changed.emit()
+        with suppress(ExpressionError):
+            self._choice = self.choice()
+            self._show_rows(self._choice)
+        self.changed.emit()  # the dialog asks for the choice, or shows the problem
 
 
 # Fields
