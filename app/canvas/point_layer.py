@@ -152,7 +152,7 @@ class PointLayer(Layer):
             self._paint_scrub_dot(painter, pixel_map)
 
     def _update_kinds(self, view: CurveView) -> None:
-        """Update the kinds of the points, where what they depend on has changed."""
+        """Update the kinds of the points where their arrays or parameters have changed."""
         source, arrays, t = view.source, view.arrays, view.parameters
         key = (source.family, source.is_closed, t, arrays.corners, arrays.ties, arrays.evens, arrays.given)
         if len(key) == len(self._kinds_key) and all(map(is_, key, self._kinds_key)):

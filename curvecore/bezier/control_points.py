@@ -402,7 +402,7 @@ def _lengthened(pieces: FloatArray, factors: FloatArray) -> FloatArray:
 
 
 def _warped(s: FloatArray, factors: FloatArray, warps: FloatArray) -> FloatArray:
-    """Return t(s) on [0, 1] with these speeds at the ends, and two coefficients of what is 0 there."""
+    """Return t(s) on [0, 1] with these speeds at the ends; two coefficients weight terms that are 0 there."""
     r = 1.0 - s
     start, end, level, slope = (column[:, None] for column in (*factors.T, *warps.T))
     cubic = r * r * s * start + r * s * s * (3.0 - end) + s**3

@@ -1,4 +1,4 @@
-"""Base class of all curves: what a family must say, what it may say, and what callers get.
+"""Base class of all curves: the duties of a family, its options, and the interface for callers.
 
 A family must say what its basis functions are (`ParametricCurve._basis`). It may say where their derivatives
 jump (`breaks`), the degree of polynomial pieces (`degree`), the class attributes below, and override any
