@@ -37,8 +37,8 @@ class Messages(QObject):
         self._offered: tuple[str, Sequence[QAction]] | None = None
         self._bar.closed.connect(self._dismiss)
         self._session.gesture_ended.connect(self._reset_offer)
-        # Remarks about the last file go.
-        context.work.jobs.begun.connect(lambda: self.render(self._session.active_view))
+        self._work = context.work
+        self._work.jobs.begun.connect(self._forget_remarks)
         self._session.opened.connect(self._begin_anew)
         self._session.history_changed.connect(self._reset_greeting)
 
@@ -51,6 +51,11 @@ class Messages(QObject):
             self._greeting = ""
         if self._offered is not None and text == self._offered[0]:
             self._offered = None
+
+    def _forget_remarks(self) -> None:
+        # Those about files that are read one after the other stay.
+        if self._work.is_writing:
+            self.render(self._session.active_view)
 
     def _reset_offer(self) -> None:
         # The next message comes from the new document.

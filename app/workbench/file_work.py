@@ -15,6 +15,9 @@ from ..storage.files import StorageError
 from ..storage.format_error import FormatError
 from ..tasks.task import SingleTask, Work
 
+WRITTEN = "written"
+"""Word for the work that writes a file, in its errors."""
+
 _MOST_REMARKS = 3
 _EXPECTED = (ExchangeError, StorageError, FormatError)
 
@@ -31,12 +34,15 @@ class FileWork:
     ----------
     jobs
         What is being done.
+    is_writing
+        Whether the last work writes a file.
     """
 
     def __init__(self, session: Session, warn: Callable[[str], object], window: QObject) -> None:
         self._session, self._warning = session, warn
         self.jobs = SingleTask(window)
         self._stopped: Callable[[], object] = lambda: None
+        self.is_writing = False
 
     def start(
         self,
@@ -64,7 +70,7 @@ class FileWork:
 
         if self.refuse_second():
             return False
-        self._stopped = lambda: leave("")
+        self._stopped, self.is_writing = lambda: leave(""), what == WRITTEN
         return self.jobs.start(title, work, done, failed)
 
     def compute(self, title: str, work: Work, done: Callable[[Any], object]) -> bool:

@@ -200,7 +200,7 @@ def outcome(
     """Plant a fault, provoke it, and tell what came of it."""
     for path in snapshot_folder().glob("*"):
         path.unlink()
-    lifecycle.crashes._seen.clear()
+    lifecycle.crashes._signatures.clear()
     place.fail_next(fault)
     raised = ""
     try:

@@ -251,7 +251,8 @@ def test_a_t_of_a_large_interval_has_the_digits_to_tell_it_apart(opened, start):
         (12.4031, 0.01, "12.4"),
         (1e6, 1e-30, "1000000"),
         (0.0, 1e-6, "0"),
-        (1e-9, 1.0, "1e−9"),
+        (1e-9, 1.0, "0"),
+        (1e-3, 1.0, "0.001"),
     ],
 )
 def test_a_number_has_the_digits_that_show_a_step(value, step, text):

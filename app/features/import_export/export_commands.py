@@ -23,6 +23,7 @@ from ...tasks.progress import Report, part
 from ...workbench.clipboard import SVG, put_on_clipboard
 from ...workbench.context import CommandSet, WindowContext
 from ...workbench.document_files import file_stem, valid_stem
+from ...workbench.file_work import WRITTEN
 from .. import import_export
 
 if TYPE_CHECKING:
@@ -102,7 +103,7 @@ class ExportCommands:
         if path != Path(name) and path.exists():
             # The file dialog asked about the typed name only, not about the one with an ending.
             there = StorageError("The file already exists. Select it in the list to replace it.")
-            self._work.refuse(path, "written", there)
+            self._work.refuse(path, WRITTEN, there)
             return
         session.files.note_export(exchange.export_choice.export_record(choice, path.name, last))
         order = choice.request(
@@ -122,7 +123,7 @@ class ExportCommands:
             return exchange.files.export(document, path, options.reporting(report))
 
         self._work.start(
-            f"Writing {path.name}", work, lambda written: self._say_written(path, written), path, "written"
+            f"Writing {path.name}", work, lambda written: self._say_written(path, written), path, WRITTEN
         )
 
     def _say_written(self, path: Path, written: ExportResult) -> None:

@@ -20,6 +20,7 @@ from ...widgets.fields import RangedDoubleSpinBox, RangedSpinBox
 from ...widgets.frames import FittedDialog
 from ...workbench.context import WindowContext
 from ...workbench.document_files import file_stem
+from ...workbench.file_work import WRITTEN
 
 
 class MotionDialog(FittedDialog):
@@ -171,4 +172,4 @@ class MotionExport:
             self._context.preferences.last_folder = path.parent
             self._context.session.say(f"Exported {path.name}: {film.frames} frames.")
 
-        self._context.work.start(f"Writing {path.name}", work, done, path, "written")
+        self._context.work.start(f"Writing {path.name}", work, done, path, WRITTEN)

@@ -24,7 +24,7 @@ class RecoveryCommands:
 
     def __init__(self, context: WindowContext) -> None:
         self._context = context
-        context.session.history_changed.connect(lambda: context.store.change(undoes_discard=False))
+        context.session.history_changed.connect(self._end_undo_of_discard)
         self._bar: recovery.bar.RecoveryBar | None = None
         self._listing = SnapshotListing()
         # Names and snapshots, deleted when the window is closed; until then "recoverWork" offers them again.
@@ -37,6 +37,9 @@ class RecoveryCommands:
         """Set the autosave of this window, and the function that opens another window for restored work."""
         self._autosave, self._open_beside = autosave, open_beside
         self._set_aside = SetAside(self._context.session, snapshot_folder(), self._context.window)
+
+    def _end_undo_of_discard(self) -> None:
+        self._context.store.change(undoes_discard=False)
 
     def close(self) -> None:
         """Keep undecided snapshots, and documents that only the history holds, for the next start.
