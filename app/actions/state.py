@@ -73,9 +73,9 @@ class ActionState(msgspec.Struct, frozen=True, kw_only=True):
         The number of selected points, of all curves and of the active one.
     point_kinds
         The kinds of the selected points, as indices in `POINT_KINDS`.
-    has_explicit, has_any_explicit, has_newly_set
-        Whether a selected point, or any point of the selected curves, has a derivative set by hand; whether
-        the last step has set some to keep the shape.
+    has_explicit, has_newly_set
+        Whether a selected point has a derivative set by hand; whether the last step has set some to keep the
+        shape.
     has_two_ends
         Whether two ends of open curves are selected and nothing else.
     can_undo, can_redo, can_go_back
@@ -120,7 +120,6 @@ class ActionState(msgspec.Struct, frozen=True, kw_only=True):
     active_selected_count: int
     point_kinds: frozenset[int]
     has_explicit: bool
-    has_any_explicit: bool
     has_newly_set: bool
     has_two_ends: bool
     can_undo: bool
@@ -183,7 +182,6 @@ class ActionFacts:
             active_selected_count=len(points),
             point_kinds=_kinds(session.views, group) if has_derivative_points else frozenset(),
             has_explicit=any(explicit_points(document.curves[curve], of) for curve, of in group.parts),
-            has_any_explicit=any(document.curves[curve].has_derivatives for curve in selected.curves),
             has_newly_set=bool(session.newly_set.parts),
             has_two_ends=link_of(session.views, group) is not None,
             can_undo=stack.canUndo() or session.is_previewing or window.in_flight or window.undoes_discard,

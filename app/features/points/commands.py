@@ -359,7 +359,7 @@ class PointCommands(CommandSet):
         CURVE_RESETS,
         icon="reset",
         full_name="Reset All Points to Estimate",
-        needs=Need("a curve with a derivative set by hand", lambda state: state.has_any_explicit),
+        needs=HERMITE_CURVE,
         keywords=_RESET_WORDS,
     )
     @also(CURVE_MENU(15), WHOLES_MENU(41))
