@@ -170,7 +170,7 @@ class ActionFacts:
             highlighted=_highlighted(session),
             has_selected_curve=bool(marked),
             selected_curve_count=len(selected.curves),
-            whole_count=_count_of_things(document, selected.whole_curves),
+            whole_count=len(nodes_of(document, whole)) if len(whole) > 1 else len(whole),
             can_combine=bool(whole) and not whole <= set(shape_of(document, min(whole))),
             is_any_in_shape=any(document.curves[curve].shape for curve in whole),
             is_any_in_group=are_in_groups(document, whole),
@@ -206,10 +206,6 @@ def _highlighted(session: Session) -> str:
     (node,) = nodes
     is_contour = node.kind is NodeKind.CURVE and node.container.shape
     return "Contour" if is_contour else node.kind.name.title()
-
-
-def _count_of_things(document: Document, curves: frozenset[int]) -> int:
-    return len(nodes_of(document, curves)) if len(curves) > 1 else len(curves)
 
 
 def _has_curve_beside(document: Document, selected: frozenset[int], shape: range, step: int) -> bool:

@@ -63,7 +63,7 @@ def velocity_in(curve: Curve, segment: int) -> Vector | None:
     if not (q.corner or (end == last and not curve.is_closed)):
         return None
     (v, w), higher = _derivatives_in(p, q, 1), range(2, curve.family.derivatives + 1)
-    if not v or not w or any(_may_bend(vector) for k in higher for vector in _derivatives_in(p, q, k)):
+    if not v or not w or any(d is None or any(d) for k in higher for d in _derivatives_in(p, q, k)):
         return None
     return v if math.dist(v, w) <= _SAME * math.hypot(*v) else None
 
@@ -154,10 +154,6 @@ def _ends_in(curve: Curve, segment: int) -> tuple[Vector | None, Vector | None]:
 def _derivatives_in(start: Point, end: Point, order: int) -> tuple[Vector | None, Vector | None]:
     """Return the explicit derivatives of an order at the ends of a segment, within it."""
     return start.explicit_sides(order)[1], end.explicit_sides(order)[0]
-
-
-def _may_bend(vector: Vector | None) -> bool:
-    return vector is None or any(vector)
 
 
 def _goes_along(v: Vector, chord: Vector) -> bool:

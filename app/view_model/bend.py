@@ -444,18 +444,13 @@ def _hold_of_segment(view: CurveView, t: float, segment: int, *, ends_stay: bool
     start, end = view.parameters[segment : segment + 2].tolist()
     h, strength, offset, data = end - start, 0.0, 0.0, []
     for knot, ahead, distance in ((segment, True, t - start), (segment + 1, False, end - t)):
-        price = None if ends_stay else _price(distance / h)
+        price = None if ends_stay else 1.0 + (_PRICE_OF_POINTS - 1.0) * min(distance / h / _NEAR, 1.0)
         rates, force, offsets = _least_change(view, knot, basis[knot], h if ahead else -h, price)
         strength, offset = strength + float(force @ rates), max(offset, float(np.abs(offsets).max()))
         data += [(knot, order, rate, ahead) for order, rate in enumerate(rates.tolist(), int(ends_stay))]
     changes = (_change(view, knot, order, rate, strength, ahead=ahead) for knot, order, rate, ahead in data)
     offset = offset / strength if ends_stay and strength else 0.0
     return Hold(tuple(changes), strength, _PRICE_OF_POINTS, offset)
-
-
-def _price(share: float) -> float:
-    """Return the price of the point at the end of a segment, grabbed at this share of it from there."""
-    return 1.0 + (_PRICE_OF_POINTS - 1.0) * min(share / _NEAR, 1.0)
 
 
 def _least_change(

@@ -22,7 +22,6 @@ from ..actions.qactions import Actions
 from ..actions.state import ActionFacts, ClipboardWatch
 from ..appearance.icons import app_icon
 from ..appearance.theme import Theme, apply_theme, theme_of
-from ..document.model import Vector
 from ..plotting.tool_plot import ToolPlot
 from ..qt.overrides import ENTER, FieldShortcuts, SafeOverrides, application
 from ..session import Session
@@ -244,10 +243,8 @@ class MainWindow(SafeOverrides, QMainWindow):
         if files is not None:
             self.commands.drops.take(files)
         elif self.commands.drops.accepts_drawing(event):
-            self.commands.drops.take_drawing(event, self._position_of(event))
-
-    def _position_of(self, event: QDropEvent) -> Vector:
-        return self.canvas.to_plane(self.canvas.viewport().mapFrom(self, event.position().toPoint()))
+            pixel = self.canvas.viewport().mapFrom(self, event.position().toPoint())
+            self.commands.drops.take_drawing(event, self.canvas.to_plane(pixel))
 
     def closeEvent(self, event: QCloseEvent) -> None:
         if self.asks_before_closing and not self.context.files.may_discard():

@@ -167,7 +167,8 @@ def flatten_parameters(curve: ParametricCurve, tolerance: float, box: ArrayLike 
 def _parameters(curve: ParametricCurve, tolerance: float, box: ArrayLike | None) -> FloatArray:
     """Flatten, and warn where the tolerance is missed."""
     pieces = flatten_pieces(curve, tolerance, box)
-    if pieces.reached > tolerance and not _is_rounding(pieces):
+    # No polyline of floating-point numbers comes closer than roundings.
+    if pieces.reached > max(tolerance, 64.0 * UNIT_ROUNDOFF * float(np.abs(pieces.points).max())):
         warnings.warn(
             f"the polyline leaves the curve by up to {pieces.reached:.3g}, not {tolerance:.3g}: "
             f"it may not have more than {len(pieces.parameters)} vertices",
@@ -175,11 +176,6 @@ def _parameters(curve: ParametricCurve, tolerance: float, box: ArrayLike | None)
             stacklevel=3,
         )
     return pieces.parameters
-
-
-def _is_rounding(pieces: Pieces) -> bool:
-    """Return whether no polyline of floating-point numbers could come closer."""
-    return pieces.reached <= 64.0 * UNIT_ROUNDOFF * float(np.abs(pieces.points).max())
 
 
 def flatten_pieces(curve: ParametricCurve, tolerance: float, box: ArrayLike | None = None) -> Pieces:

@@ -54,10 +54,6 @@ def table_values(view: CurveView, columns: Sequence[Column]) -> TableValues:
     return TableValues(values, np.column_stack([column.is_estimated(view) for column in columns]))
 
 
-def _no_values(columns: Sequence[Column]) -> TableValues:
-    return TableValues(np.empty((0, len(columns))), np.empty((0, len(columns)), dtype=bool))
-
-
 class PointTableModel(SafeOverrides, QAbstractTableModel):
     """Model of the point table: rows are points, columns are those of the family (`columns_of`).
 
@@ -90,7 +86,8 @@ class PointTableModel(SafeOverrides, QAbstractTableModel):
         self._view: CurveView | None = None
         self.with_handles = False
         self.columns = columns_of(derivatives=0)
-        self._table_values = _no_values(self.columns)
+        shape = (0, len(self.columns))
+        self._table_values = TableValues(np.empty(shape), np.empty(shape, dtype=bool))
         self._numbers: tuple[TableValues, list[ColumnNumbers]] | None = None
         self._kinds = np.empty(0, dtype=np.intp)
         self._is_refused = False

@@ -140,9 +140,10 @@ def _words_on_growth(view: CurveView, lebesgue: float) -> str:
             "Between two straight runs of x or y the smallest error in a point makes the velocity jump, and "
             "the curve with it. Move a point of the runs, or set the velocity between them by hand."
         )
+    digits = int(np.log10(lebesgue)) if np.isfinite(lebesgue) else "all"
     return (
         f"An error in a point, even by rounding, can be {short(lebesgue)} times as large on the curve: "
-        f"{_digits(lebesgue)} of accuracy are lost. {_remedy(view)}"
+        f"{digits} digits of accuracy are lost. {_remedy(view)}"
     )
 
 
@@ -153,7 +154,3 @@ def _remedy(view: CurveView) -> str:
         "The estimated velocities follow the error. Space the parameters more evenly, "
         "or set the velocities beside the narrow gaps by hand."
     )
-
-
-def _digits(lebesgue: float) -> str:
-    return f"{int(np.log10(lebesgue))} digits" if np.isfinite(lebesgue) else "all digits"
