@@ -136,7 +136,9 @@ class History:
 
     def push(self, before: HistoryState, after: HistoryState, text: str, run: Hashable = None) -> None:
         """Make the step `text`; one that goes on the `run` of the last step becomes a part of it."""
-        joins, steps = self._goes_on(run), self.stack.index()
+        last_run, time = self._run or (None, 0.0)
+        joins = run is not None and last_run == run and self.clock() - time <= _RUN_SECONDS
+        steps = self.stack.index()
         self.is_pushing = True
         self.stack.push(UndoStep(self._restore, before, after, text, joins=joins))
         self.is_pushing = False
@@ -150,10 +152,6 @@ class History:
         if isinstance(step, UndoStep):
             step._before = replace(step._before, scroll=scroll)
             step._after = replace(step._after, scroll=scroll[::-1])
-
-    def _goes_on(self, run: Hashable) -> bool:
-        """Whether a change of this run follows the last one closely enough to be the same step."""
-        return self._run is not None and self._run[0] == run and self.clock() - self._run[1] <= _RUN_SECONDS
 
     def drop(self) -> None:
         """Delete all steps without a word, before the stack goes.

@@ -385,7 +385,8 @@ class Transform(TypedDrag, kw_only=True):
     def _degrees(self, pointer: Pointer) -> float:
         if self.typed.counts:
             return self.typed.number(0.0)
-        first, now = (_direction(self._about(pointer), at) for at in (self.start, pointer.position))
+        x, y = self._about(pointer)
+        first, now = (math.degrees(math.atan2(at[1] - y, at[0] - x)) for at in (self.start, pointer.position))
         turned = (now - first + 180.0) % 360.0 - 180.0
         return _STEP * round(turned / _STEP) if self._is_stepped(pointer) else turned
 
@@ -478,10 +479,6 @@ class Transform(TypedDrag, kw_only=True):
             note=_note(event, self),
             axis=(self.centre, along_axis((1.0, 1.0), self.axis)) if is_axis_drawn else None,
         )
-
-
-def _direction(centre: Vector, position: Vector) -> float:
-    return math.degrees(math.atan2(position[1] - centre[1], position[0] - centre[0]))
 
 
 def hint_inside_box(group: PointGroup, pointer: Pointer, *, snaps: bool) -> Hint:

@@ -118,17 +118,13 @@ def drawable_pieces(curve: ParametricCurve) -> FloatArray | None:
 
 
 def drawable_chain(curve: ParametricCurve) -> FloatArray | None:
-    """Return the Bezier control points of all curves of a chain, limited; None where their degrees differ."""
-    if curve.is_local and curve.degree == 2 * curve.jets.shape[1] - 1:
-        # Such pieces are the polynomials through the jets at their ends: all are computed at once.
-        h = np.diff(curve.parameters[joint_of_row(curve)])
-        inside = h > 0.0
-        return _limited(controls_between(curve.jets[:-1][inside], curve.jets[1:][inside], h[inside, None]))
-    parts = [drawable_pieces(piece) for piece in curve.pieces]
-    controls = [part for part in parts if part is not None]
-    if len(controls) < len(parts) or len({part.shape[1] for part in controls}) > 1:
+    """Return the Bezier control points of a chain, limited; None where jets do not give them."""
+    if not curve.is_local or curve.degree != 2 * curve.jets.shape[1] - 1:
         return None
-    return np.concatenate(controls)
+    # Such pieces are the polynomials through the jets at their ends: all are computed at once.
+    h = np.diff(curve.parameters[joint_of_row(curve)])
+    inside = h > 0.0
+    return _limited(controls_between(curve.jets[:-1][inside], curve.jets[1:][inside], h[inside, None]))
 
 
 def _limited(controls: FloatArray) -> FloatArray:

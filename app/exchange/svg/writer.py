@@ -190,16 +190,13 @@ def _tree(drawing: Drawing, style: PictureStyle, report: Report) -> Tree:
 def _points(drawing: Drawing, style: PictureStyle) -> list[str]:
     radius = number(POINT_RADIUS * drawing.frame.side)
     discs = [
-        f'    <circle cx="{number(x)}" cy="{number(-y)}" r="{radius}"{_disc_colour(outline, style)}/>'
+        f'    <circle cx="{number(x)}" cy="{number(-y)}" r="{radius}"{colour}/>'
         for outline in drawing.outlines
+        # A curve of no colour of its own has the ink of the picture.
+        for colour in [f' fill="{style.visible_colour(outline.colour)}"' if outline.colour else ""]
         for x, y in outline.points.tolist()
     ]
     return [f'  <g id="points" fill="{style.ink}">', *discs, "  </g>"]
-
-
-def _disc_colour(outline: Outline, style: PictureStyle) -> str:
-    """Return the curve's own colour as an attribute; empty for the ink of the picture."""
-    return f' fill="{style.visible_colour(outline.colour)}"' if outline.colour else ""
 
 
 def _annotations(drawing: Drawing, style: PictureStyle, name: str) -> list[str]:

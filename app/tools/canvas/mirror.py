@@ -77,10 +77,8 @@ def mirror_about_axis(
     """
     document, group, label, selects = _subject(session, box, result)
     by = reflection_about((0.0, 0.0), (1.0, 0.0) if axis is Axis.X else (0.0, 1.0))
-    active = None if selects is None else selects.active
-    mirrored = transform_group(document, group, by)
-    text = f"Mirror {label} about the {axis} axis"
-    if not session.change(text, lambda _: mirrored, active=active):
+    active, mirrored = selects.active if selects else None, transform_group(document, group, by)
+    if not session.change(f"Mirror {label} about the {axis} axis", lambda _: mirrored, active=active):
         return
     if selects is not None:
         session.selected.restore(selects)
