@@ -471,9 +471,9 @@ POINT_KINDS = (CORNER, SMOOTH, SYMMETRIC, ESTIMATED)
 def kinds_of(view: CurveView) -> IntArray:
     """Return for each point the index of its kind in `POINT_KINDS`, (n,).
 
-    A point with one velocity between segments of different lengths is smooth, as its handles are of different
-    lengths, and so is an end of an open curve with a velocity. All points of families without velocities are
-    of the last kind.
+    A point whose handles are of different lengths is smooth, also with one velocity between segments of
+    different lengths, and so is an end of an open curve with a velocity. All points of families without
+    velocities are of the last kind.
     """
     kinds, last = np.full(len(view.points), len(POINT_KINDS) - 1, dtype=np.intp), len(view.points) - 1
     if view.source.family.derivatives and view.source.has_derivatives:
@@ -481,8 +481,10 @@ def kinds_of(view: CurveView) -> IntArray:
         kinds, symmetric = np.argmax(holds, axis=0), POINT_KINDS.index(SYMMETRIC)
         if view.is_current:
             h, is_closed = np.diff(view.parameters), view.source.is_closed
-            before, after = (np.roll(h, 1), h) if is_closed else (np.append(0.0, h), np.append(h, 0.0))
-            is_even = view.arrays.evens | np.isclose(before, after, rtol=_SAME, atol=0.0)
+            beside = (np.roll(h, 1), h) if is_closed else (np.append(0.0, h), np.append(h, 0.0))
+            handles = np.hypot(*view.arrays.given[:, :, 0].T) * beside
+            is_even = np.isclose(handles[0], handles[1], rtol=_SAME, atol=0.0)
+            is_even |= np.isclose(beside[0], beside[1], rtol=_SAME, atol=0.0)
             kinds[(kinds == symmetric) & ~is_even] = POINT_KINDS.index(SMOOTH)
         for end in () if view.source.is_closed else (0, last):
             if POINT_KINDS[kinds[end]].ends:

@@ -155,6 +155,18 @@ def test_a_point_with_handles_of_two_lengths_is_smooth_and_not_symmetric(bow):
     assert np.add(behind, ahead) / 2 == pytest.approx(BOW[2])
 
 
+def test_a_symmetric_point_beside_an_inserted_one_is_smooth(bow):
+    """The cut shortens one handle, and *Symmetric* stayed pressed at 18.7 and 41.2 pixels."""
+    bow.select_point(2)
+    bow.key(Key.Key_Y, SHIFT)
+    assert kind_at(bow.session.active_view, 2) is SYMMETRIC
+    view = bow.session.active_view
+    middle = float(view.parameters[2] + view.parameters[3]) / 2
+    bow.double_click(tuple(view.curve.evaluate(middle)))
+    assert len(bow.curve.points) == len(BOW) + 1
+    assert kind_at(bow.session.active_view, 2) is SMOOTH
+
+
 # What becomes of the shape
 
 
